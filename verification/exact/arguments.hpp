@@ -1,0 +1,36 @@
+#pragma once
+/// Reading the arguments of an oracle.
+#include <string>
+#include <vector>
+
+#include "verification/exact/eos.hpp"
+#include "verification/exact/oracle.hpp"
+
+namespace g27 {
+
+/// Fallback of an argument that may stay away.
+inline constexpr char const* not_given = "none";
+
+/// False for an argument left at `not_given`.
+bool given(OracleArguments const& arguments, std::string const& key);
+/// The argument as a number; throws OracleError.
+double number(OracleArguments const& arguments, std::string const& key);
+/// As number(), but throws OracleError unless it is above 0.
+double positive_number(OracleArguments const& arguments, std::string const& key);
+/// A list "0,0.5,1" or "0:1:101" (first:last:count); throws OracleError.
+std::vector<double> numbers(OracleArguments const& arguments, std::string const& key);
+/// One of `words`; throws OracleError.
+std::string word(OracleArguments const& arguments, std::string const& key, std::vector<std::string> const& words);
+
+/// The parameters of all laws, each with `suffix` appended; `eos` falls back to `fallback`.
+std::vector<OracleParameter> eos_parameters(std::string const& suffix = "", std::string const& fallback = "ideal");
+/// The law named by `eos` + suffix. A parameter not given is taken from `other_suffix`, when there is one and its law
+/// is the same; gamma falls back to 1.4 for the ideal gas. Throws OracleError for a parameter that the law lacks.
+ExactEos eos_argument(OracleArguments const& arguments, std::string const& suffix = "",
+                      std::string const& other_suffix = "");
+
+/// Symmetry exponent 0, 1 or 2 of "planar", "cylindrical" or "spherical".
+int symmetry_argument(OracleArguments const& arguments);
+OracleParameter symmetry_parameter(std::string const& fallback);
+
+}  // namespace g27
