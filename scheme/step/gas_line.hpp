@@ -48,11 +48,11 @@ class GasLine {
   [[nodiscard]] double time() const noexcept;
   /// Time step that the CFL condition allows now [s].
   [[nodiscard]] double stable_dt() const noexcept;
-  [[nodiscard]] std::span<double const> faces() const noexcept;        ///< [cells + 1], m
-  [[nodiscard]] std::span<double const> density() const noexcept;      ///< [cells], kg/m^3
-  [[nodiscard]] std::span<double const> velocity() const noexcept;     ///< [cells], m/s
-  [[nodiscard]] std::span<double const> pressure() const noexcept;     ///< [cells], Pa
-  [[nodiscard]] std::span<double const> bulk_modulus() const noexcept; ///< [cells], rho c^2, Pa
+  [[nodiscard]] std::span<double const> faces() const noexcept;         ///< [cells + 1], m
+  [[nodiscard]] std::span<double const> density() const noexcept;       ///< [cells], kg/m^3
+  [[nodiscard]] std::span<double const> velocity() const noexcept;      ///< [cells], m/s
+  [[nodiscard]] std::span<double const> pressure() const noexcept;      ///< [cells], Pa
+  [[nodiscard]] std::span<double const> bulk_modulus() const noexcept;  ///< [cells], rho c^2, Pa
   [[nodiscard]] GasConserved<> average(std::size_t cell) const noexcept;
   /// Measure of a cell: length [m], area per radian [m^2] or volume per steradian [m^3].
   [[nodiscard]] double measure(std::size_t cell) const noexcept;

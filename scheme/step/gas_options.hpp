@@ -75,11 +75,11 @@ struct GasSource {
 /// How often each thing happened since the start, summed over faces (or cells) and steps.
 struct GasCounters {
   std::uint64_t steps = 0, faces = 0, cell_updates = 0;
-  std::uint64_t switched = 0;      ///< faces on which the monotonicity switch acted on some field
-  std::uint64_t linear_star = 0;   ///< faces that took the acoustic star state
-  std::uint64_t repaired = 0;      ///< faces redone at first order for positivity
-  std::uint64_t floored = 0;       ///< cells whose pressure or density was raised to the vacuum floor
-  std::uint64_t retried = 0;       ///< steps redone with half the time step
+  std::uint64_t switched = 0;     ///< faces on which the monotonicity switch acted on some field
+  std::uint64_t linear_star = 0;  ///< faces that took the acoustic star state
+  std::uint64_t repaired = 0;     ///< faces redone at first order for positivity
+  std::uint64_t floored = 0;      ///< cells whose pressure or density was raised to the vacuum floor
+  std::uint64_t retried = 0;      ///< steps redone with half the time step
 };
 
 /// Integral of one conserved quantity and where its change came from (per radian / steradian in curved symmetry).

@@ -36,15 +36,15 @@ struct CaseResult {
   std::string name;
   int cells = 0, order = 0;
   std::string scheme, monotonicity, mesh, eos;
-  std::map<std::string, Norms> errors;          ///< density velocity pressure; empty without a reference
-  std::map<std::string, double> overshoot;      ///< beyond the reference's range, over its jump
-  std::map<std::string, double> tv_excess;      ///< total variation over the reference's, minus 1
+  std::map<std::string, Norms> errors;      ///< density velocity pressure; empty without a reference
+  std::map<std::string, double> overshoot;  ///< beyond the reference's range, over its jump
+  std::map<std::string, double> tv_excess;  ///< total variation over the reference's, minus 1
   double cpu_s = 0, wall_s = 0;
   GasCounters counters;
   GasLedger ledger;
   double time = 0;
-  std::vector<double> x, rho, u, p, switched;   ///< final profile at cell centres
-  std::vector<double> rho_ref, u_ref, p_ref;    ///< cell averages of the reference
+  std::vector<double> x, rho, u, p, switched;  ///< final profile at cell centres
+  std::vector<double> rho_ref, u_ref, p_ref;   ///< cell averages of the reference
 };
 
 struct Case {

@@ -1,0 +1,58 @@
+#include "scheme/kernel/gas_kernels.hpp"
+
+#include <cstdlib>
+#include <string_view>
+
+namespace g27 {
+
+// Each kernel object defines gas_kernel_table() in the namespace of its instruction set.
+#define G27_FOR_ISA(isa)                         \
+  namespace isa {                                \
+  GasKernels const& gas_kernel_table() noexcept; \
+  }
+G27_FOR_EACH_ISA
+#undef G27_FOR_ISA
+
+namespace {
+
+bool runs_here([[maybe_unused]] std::string_view isa) noexcept {
+#if defined(__x86_64__)
+  __builtin_cpu_init();
+  if (isa == "x86_64_v4") return __builtin_cpu_supports("x86-64-v4");
+  if (isa == "x86_64_v3") return __builtin_cpu_supports("x86-64-v3");
+#endif
+  return true;
+}
+
+std::array<GasKernels const*, 8> find_runnable() noexcept {
+  std::array<GasKernels const*, 8> tables{};
+  std::size_t n = 0;
+#define G27_FOR_ISA(isa) \
+  if (runs_here(#isa)) tables[n++] = &isa::gas_kernel_table();
+  G27_FOR_EACH_ISA
+#undef G27_FOR_ISA
+  return tables;
+}
+
+}  // namespace
+
+std::array<GasKernels const*, 8> const& runnable_gas_kernels() noexcept {
+  static auto const tables = find_runnable();
+  return tables;
+}
+
+GasKernels const& gas_kernels() noexcept {
+  static GasKernels const* const chosen = [] {
+    char const* const wanted = std::getenv("G27_ISA");
+    GasKernels const* best = nullptr;
+    for (GasKernels const* table : runnable_gas_kernels()) {
+      if (table == nullptr) break;
+      best = table;
+      if (wanted != nullptr && std::string_view{wanted} == table->isa) break;
+    }
+    return best;
+  }();
+  return *chosen;
+}
+
+}  // namespace g27

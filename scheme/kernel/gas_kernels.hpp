@@ -1,0 +1,98 @@
+#pragma once
+/// The inner loops of the gas scheme as tables of functions, one table per instruction set, chosen once at start.
+/// Arguments are plain pointers, so that nothing that depends on an instruction set crosses this interface.
+#include <array>
+#include <cstddef>
+
+#include "riemann/eos/registry.hpp"
+#include "scheme/step/gas_options.hpp"
+
+namespace g27 {
+
+/// Every predictor with its ablations; `--order` and `--switch` choose among them.
+enum class PredictorKernel {
+  godunov,
+  linear_off,
+  linear_literal,
+  linear_binary,
+  linear_graded,
+  linear_single_foot,  ///< graded switch off, density at the acoustic feet
+  linear_cell_feet,    ///< OG (3.10), switch off
+  parabolic_off,
+  parabolic_on,
+  muscl,
+  count
+};
+
+/// Arrays are indexed by the face: cell arrays so that [-1], [0] | [1], [2] are the cells around face 0.
+/// Loads and stores run over to the next multiple of the vector width.
+struct PredictArguments {
+  std::size_t faces;
+  double const *rho, *u, *p, *K;            ///< cells, K = rho c^2
+  double const *h, *inv_pair, *inv_triple;  ///< cells; inv_pair[j] = 1/(h[j] + h[j+1])
+  double const* w;                          ///< faces
+  double const *inc_rho, *inc_u, *inc_p;    ///< cells, half-step increments; null: none
+  double const *foot_shift, *foot_factor;   ///< faces; OG (3.10) only
+  double dt, exponent;
+  bool linear_star;  ///< false: every face goes to the solver
+  /// out, faces: the states of the Riemann problem, the star state, the number of switched fields
+  double *l_rho, *l_u, *l_p, *r_rho, *r_u, *r_p, *s_rho, *s_u, *s_p, *switched;
+  double* strong;  ///< out: 1 where the Riemann problem is to be solved, else 0
+};
+
+struct SolveArguments {
+  std::size_t faces;
+  void const* eos;
+  double const *rho, *u, *p, *margin;  ///< cells: what a face falls back to
+  double const* w;                     ///< faces
+  bool lagrangian;                     ///< the face moves with the contact: no mass flux
+  double *l_rho, *l_u, *l_p, *r_rho, *r_u, *r_p, *s_rho, *s_u, *s_p, *strong;  ///< from the predictor
+  double *f_mass, *f_momentum, *f_energy;  ///< out, faces: fluxes per area through the moving face
+  double *face_p, *face_u;                 ///< out, faces
+  std::size_t failures;                    ///< out: problems that did not converge
+};
+
+struct PrimitiveArguments {
+  std::size_t cells;
+  void const* eos;
+  double const *mass, *momentum, *energy;  ///< conserved averages
+  double *rho, *u, *p, *K, *margin;        ///< out
+};
+
+/// Corrector: measure_new q_new = measure q - dt (area_r F_r - area_l F_l) + sources, then primitives.
+struct UpdateArguments {
+  std::size_t cells;
+  void const* eos;
+  double const *mass, *momentum, *energy;                 ///< cells
+  double const *f_mass, *f_momentum, *f_energy, *face_p;  ///< faces [cells + 1]
+  double const* area;                                     ///< faces; null: planar
+  double const *measure, *inv_measure_new;                ///< cells; null: planar, fixed and uniform with `lambda`
+  double const *src_mass, *src_momentum, *src_energy;     ///< cells, times dt times new measure; null: none
+  double const* inv_h;                                    ///< cells; null: uniform with `inv_width`
+  double dt, lambda, inv_width;                           ///< lambda = dt/h of a uniform fixed mesh, inv_width = 1/h
+  double const *rho_old, *margin_old;                     ///< cells
+  double *mass_new, *momentum_new, *energy_new;           ///< out
+  double *rho, *u, *p, *K, *margin;                       ///< out: primitives of the new state
+  double worst;  ///< out: least of rho/rho_old and margin/margin_old; NaN counts as -1
+  double rate;   ///< out: largest (|u| + c)/h of the new state [1/s]
+};
+
+struct GasKernels {
+  char const* isa;
+  std::size_t width;
+  using Predict = void (*)(PredictArguments const&);
+  using Solve = void (*)(SolveArguments&);
+  using Primitive = void (*)(PrimitiveArguments const&);
+  using Update = void (*)(UpdateArguments&);
+  std::array<std::array<Predict, 2>, static_cast<std::size_t>(PredictorKernel::count)> predict;  ///< [.][uniform mesh]
+  std::array<std::array<Solve, 3>, std::variant_size_v<AnyEos>> solve;  ///< [eos][RiemannSolver]
+  std::array<Primitive, std::variant_size_v<AnyEos>> primitive;
+  std::array<Update, std::variant_size_v<AnyEos>> update;
+};
+
+/// Tables that this machine can run, the best last.
+std::array<GasKernels const*, 8> const& runnable_gas_kernels() noexcept;
+/// The best table, or the one that the environment variable G27_ISA names.
+GasKernels const& gas_kernels() noexcept;
+
+}  // namespace g27

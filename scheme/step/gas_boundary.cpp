@@ -1,0 +1,67 @@
+#include "scheme/step/gas_boundary.hpp"
+
+#include "scheme/step/gauss.hpp"
+
+namespace g27 {
+
+namespace {
+
+void set_inflow(GasLineSetup const& setup, GasBoundary const& b, double x0, double x1, double t, GasCells& cells,
+                std::ptrdiff_t ghost) {
+  GasState<> mean{0, 0, 0};
+  auto const gauss = gauss_points(2);
+  for (std::size_t k = 0; k < 2; ++k) {
+    GasState<> const s = b.state(0.5 * (x0 + x1) + 0.5 * (x1 - x0) * gauss[k].x, t);
+    mean = {mean.rho + 0.5 * s.rho, mean.u + 0.5 * s.u, mean.p + 0.5 * s.p};
+  }
+  cells.rho[ghost] = mean.rho, cells.u[ghost] = mean.u, cells.p[ghost] = mean.p;
+  std::visit(
+      [&](auto const& eos) {
+        cells.K[ghost] = eos.bulk_modulus(mean.rho, mean.p);
+        cells.margin[ghost] = eos.pressure_margin(mean.rho, mean.p);
+      },
+      setup.eos);
+}
+
+/// ghost[k] lies k cells beyond the boundary, inner[k] k cells inside it, partner[k] where a periodic line continues.
+struct Side {
+  GasBoundary const& boundary;
+  std::ptrdiff_t ghost[2], inner[2], partner[2];
+  double edge, outward;  ///< position of the boundary, +1 or -1
+};
+
+void fill_side(GasLineSetup const& setup, Line const& line, Side const& side, double t, GasCells& cells) {
+  using Kind = GasBoundary::Kind;
+  double x = side.edge;
+  for (int k = 0; k < 2; ++k) {
+    std::ptrdiff_t const g = side.ghost[k];
+    double const far = x + side.outward * line.h[g];
+    switch (side.boundary.kind) {
+      case Kind::periodic:
+        cells.copy_primitives(g, cells, side.partner[k]);
+        break;
+      case Kind::outflow:
+        cells.copy_primitives(g, cells, side.inner[0]);
+        break;
+      case Kind::wall:
+      case Kind::piston:
+        cells.copy_primitives(g, cells, side.inner[k]);
+        cells.u[g] = 2.0 * boundary_speed(side.boundary, t) - cells.u[g];
+        break;
+      case Kind::inflow:
+        set_inflow(setup, side.boundary, std::min(x, far), std::max(x, far), t, cells, g);
+        break;
+    }
+    x = far;
+  }
+}
+
+}  // namespace
+
+void fill_ghosts(GasLineSetup const& setup, Line const& line, double t, GasCells& cells) {
+  std::ptrdiff_t const n = static_cast<std::ptrdiff_t>(line.cells());
+  fill_side(setup, line, {setup.left, {-1, -2}, {0, 1}, {n - 1, n - 2}, line.x.front(), -1.0}, t, cells);
+  fill_side(setup, line, {setup.right, {n, n + 1}, {n - 1, n - 2}, {0, 1}, line.x.back(), 1.0}, t, cells);
+}
+
+}  // namespace g27

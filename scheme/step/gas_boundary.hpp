@@ -1,0 +1,22 @@
+#pragma once
+/// Ghost cells of a line: two on each side, set from the boundary conditions at the start of a step.
+#include "scheme/step/gas_fields.hpp"
+#include "scheme/step/gas_line.hpp"
+
+namespace g27 {
+
+/// A boundary that gas does not pass: a wall, fixed or moving.
+inline bool is_wall(GasBoundary const& b) noexcept {
+  return b.kind == GasBoundary::Kind::wall || b.kind == GasBoundary::Kind::piston;
+}
+
+/// Speed of the boundary itself at time t [m/s].
+inline double boundary_speed(GasBoundary const& b, double t) {
+  return b.kind == GasBoundary::Kind::piston ? b.velocity(t) : 0.0;
+}
+
+/// Fills the ghosts of `cells` at time t: copies (outflow), images in the wall, the partner (periodic), or the given
+/// state averaged over the ghost cell (inflow).
+void fill_ghosts(GasLineSetup const& setup, Line const& line, double t, GasCells& cells);
+
+}  // namespace g27
