@@ -32,7 +32,7 @@ std::string nearest(std::string_view word, std::vector<std::string> const& known
 
 template <class E>
 constexpr bool in_range(EosParameter<E> const& p, double value) {
-  return std::isfinite(value) && (value > p.above || (p.from_zero && value == p.above)) && value <= p.up_to;
+  return std::isfinite(value) && (value > p.above || (p.lowest_included && value == p.above)) && value <= p.up_to;
 }
 
 /// Calls f.operator()<E>() for the law called `name`.
@@ -71,8 +71,8 @@ E make(std::map<std::string, double> const& given) {
     }
     if (!in_range(p, entry->second)) {
       std::ostringstream text;
-      text << law << p.name << " = " << entry->second << " is not in " << (p.from_zero ? '[' : '(') << p.above << ", "
-           << p.up_to << "] " << p.unit;
+      text << law << p.name << " = " << entry->second << " is not in " << (p.lowest_included ? '[' : '(') << p.above
+           << ", " << p.up_to << "] " << p.unit;
       throw std::invalid_argument(text.str());
     }
     eos.*p.member = entry->second;
@@ -102,7 +102,7 @@ std::vector<EosParameterInfo> eos_parameters(std::string_view name) {
   with_law(name, [&]<class E>() {
     E const defaults{};
     for (auto const& p : E::parameters) {
-      infos.push_back({p.name, p.unit, p.what, defaults.*p.member, p.above, p.up_to, p.from_zero});
+      infos.push_back({p.name, p.unit, p.what, defaults.*p.member, p.above, p.up_to, p.lowest_included});
     }
   });
   return infos;

@@ -91,6 +91,32 @@ struct Jwl {
   [[nodiscard]] G27_INLINE V thermal_ratio(V from, V to) const noexcept {
     return pow(to / from, 1.0 + omega);
   }
+  /// Upper bound [kg/m^3] of the density at which the isentrope through (rho, t) has fallen to the pressure p: there
+  /// the largest of the three terms alone makes p.
+  template <Lane V>
+  [[nodiscard]] G27_INLINE V expanded_density(V rho, V t, V p) const noexcept {
+    V const v_a = log(max(V(A), p) / p) * (1.0 / R1), v_b = log(max(V(B), p) / p) * (1.0 / R2);
+    V const v_t = (rho0 / rho) * pow(t / p, 1.0 / (1.0 + omega));
+    return rho0 / max(v_t, max(v_a, v_b));
+  }
+  /// Velocity [m/s] gained from (rho, c) down to rho = 0 where only t is left: an ideal gas of exponent 1 + omega.
+  template <Lane V>
+  [[nodiscard]] G27_INLINE V thermal_escape(V /*rho*/, V c) const noexcept {
+    return (2.0 / omega) * c;
+  }
+  /// Step in -ln(rho) over which Gauss quadrature of c reaches round-off: D1 has its zeros at Im(v) of about pi/R.
+  template <Lane V>
+  [[nodiscard]] G27_INLINE V smooth_step(V rho) const noexcept {
+    V const v = rho0 / rho;
+    double const fast = R1 > R2 ? R1 : R2, slow = R1 > R2 ? R2 : R1;
+    // beyond, the faster exponential is so small that the coarser step resolves it
+    return min(1.6 / (select(fast * v < V(25.0), V(fast), V(slow)) * v), 0.8);
+  }
+  /// Specific volume [m^3/kg] that shocks from rho approach as their strength grows.
+  template <Lane V>
+  [[nodiscard]] G27_INLINE V strong_shock_volume(V rho) const noexcept {
+    return (omega / (2.0 + omega)) / rho;
+  }
 
  private:
   template <Lane V>

@@ -21,7 +21,7 @@ namespace g27 {
 struct MieGruneisen {
   double rho0 = 2785.0;  ///< [kg/m^3]; the defaults are aluminium 2024
   double c0 = 5328.0;    ///< bulk sound speed at rho0, p = 0 [m/s]
-  double s = 1.338;      ///< slope of the Hugoniot
+  double s = 1.338;      ///< slope of the Hugoniot, >= 1: below, p would stay finite as rho grows
   double Gamma0 = 2.0;   ///< Grueneisen parameter at rho0, < 2 s
 
   static constexpr char const* name = "mie-gruneisen";
@@ -29,7 +29,7 @@ struct MieGruneisen {
   static constexpr std::array<EosParameter<MieGruneisen>, 4> parameters{
       {{"rho0", &MieGruneisen::rho0, "kg/m^3", "density at zero pressure", 0.0, 1e5},
        {"c0", &MieGruneisen::c0, "m/s", "bulk sound speed at rho0", 0.0, 1e5},
-       {"s", &MieGruneisen::s, "1", "slope dU_s/du_p of the Hugoniot", 0.0, 10.0},
+       {"s", &MieGruneisen::s, "1", "slope dU_s/du_p of the Hugoniot", 1.0, 10.0, true},
        {"Gamma0", &MieGruneisen::Gamma0, "1", "Grueneisen parameter at rho0", 0.0, 20.0}}};
   [[nodiscard]] constexpr char const* flaw() const noexcept {
     return Gamma0 < 2.0 * s ? nullptr : "Gamma0 must be below 2 s: beyond, compression is not convex";
@@ -102,6 +102,34 @@ struct MieGruneisen {
   template <Lane V>
   [[nodiscard]] G27_INLINE V thermal_ratio(V from, V to) const noexcept {
     return exp(max(Gamma0 * (rho0 / from - rho0 / to), -700.0));
+  }
+  /// Upper bound [kg/m^3] of the density at which the isentrope through (rho, t) has fallen to the excess q over the
+  /// vacuum's pressure: there the larger of the two exponentials alone makes q.
+  template <Lane V>
+  [[nodiscard]] G27_INLINE V expanded_density(V rho, V t, V q) const noexcept {
+    V const v_t = rho0 / rho + log(t / q) * (1.0 / Gamma0);
+    V const v_c = 1.0 + log(-vacuum_pressure() / q) * (1.0 / (4.0 * s));
+    return rho0 / max(max(v_t, v_c), rho0 / rho);
+  }
+  /// Velocity [m/s] gained from (rho, c) down to rho = 0 where only t is left.
+  template <Lane V>
+  [[nodiscard]] G27_INLINE V thermal_escape(V rho, V c) const noexcept {
+    return (2.0 / (Gamma0 * rho0)) * rho * c;
+  }
+  /// Step in -ln(rho) over which Gauss quadrature of c reaches round-off: D1 has a pole at eta = 1/s, a jump of its
+  /// third derivative at eta = 0 and zeros at Im(eta) > pi/(4 s).
+  template <Lane V>
+  [[nodiscard]] G27_INLINE V smooth_step(V rho) const noexcept {
+    V const v = rho0 / rho, pole = v - (1.0 - 1.0 / s);
+    V const to_origin = select(v < V(1.0), log(1.0 / min(v, 1.0)), V(1.0));
+    V const smooth = min(select(v < V(1.0), 0.6 * pole, V(1.0)), 0.4 / s) / v;
+    // a sliver that would be left before eta = 0 is taken with the last step
+    return select(to_origin < 1.001 * smooth, max(to_origin, 1e-9), smooth);
+  }
+  /// Specific volume [m^3/kg] that shocks from rho approach as their strength grows.
+  template <Lane V>
+  [[nodiscard]] G27_INLINE V strong_shock_volume(V rho) const noexcept {
+    return max(1.0 / rho - 2.0 / (Gamma0 * rho0), (1.0 - 1.0 / s) / rho0);
   }
 
  private:

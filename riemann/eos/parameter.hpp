@@ -9,8 +9,8 @@ struct EosParameter {
   double E::*member;
   char const* unit;  ///< dimension in SI units: "1" for a pure number
   char const* what;
-  double above, up_to;  ///< admissible: above < value <= up_to (`from_zero`: above may be met)
-  bool from_zero = false;
+  double above, up_to;  ///< admissible: above < value <= up_to; `lowest_included`: value >= above
+  bool lowest_included = false;
 };
 
 }  // namespace g27
