@@ -162,4 +162,24 @@ double Isentrope::vacuum_invariant() const {
   return invariant(rho) - below(rho);
 }
 
+std::vector<IsentropePoint> integrate_isentrope(ExactEos const& eos, double rho, double p,
+                                                std::vector<double> const& densities) {
+  double const c0 = sound_speed(eos, rho, p), unit = c0 * c0;
+  // y = (e/c0^2, invariant/c0) over ln rho; densities relative to the start keep ln exact there
+  auto slope = [&](double x, double const* y, double* out) {
+    double const r = rho * std::exp(x), p_here = pressure(eos, r, y[0] * unit);
+    out[0] = p_here / (r * unit);
+    out[1] = sound_speed(eos, r, p_here) / c0;
+  };
+  std::vector<double> nodes{0};
+  for (double const density : densities) nodes.push_back(std::log(density / rho));
+  auto const y = solve_ode(slope, {energy(eos, rho, p) / unit, 0}, nodes);
+  std::vector<IsentropePoint> out;
+  for (std::size_t i = 0; i < densities.size(); ++i) {
+    double const p_here = pressure(eos, densities[i], y[i + 1][0] * unit);
+    out.push_back({densities[i], p_here, sound_speed(eos, densities[i], p_here), y[i + 1][1] * c0});
+  }
+  return out;
+}
+
 }  // namespace g27

@@ -1,5 +1,7 @@
 #pragma once
 /// The isentrope through one state: pressure, sound speed and Riemann invariant as functions of density.
+#include <vector>
+
 #include "verification/exact/eos.hpp"
 
 namespace g27 {
@@ -31,5 +33,13 @@ class Isentrope {
   ExactEos eos_;
   double rho_, p_;
 };
+
+/// The isentrope by the first law alone, de = p d rho/rho^2 (CVODE): an independent path to the closed forms.
+struct IsentropePoint {
+  double rho, p, c, invariant;
+};
+/// From (rho, p) to each of `densities`, which must be monotone and lie on one side of rho.
+std::vector<IsentropePoint> integrate_isentrope(ExactEos const& eos, double rho, double p,
+                                                std::vector<double> const& densities);
 
 }  // namespace g27
