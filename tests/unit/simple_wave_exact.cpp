@@ -52,7 +52,7 @@ TEST_CASE("an expansion to vacuum ends at the limit of the invariant", "[oracle]
     double last = 0;
     for (double ratio : {1e-1, 1e-3, 1e-6, 1e-9}) {
       double const w = isentrope.invariant(ratio * s.rho);
-      CHECK(w <= last);
+      CHECK(w <= last + 1e-12 * std::fabs(last));  // deep in tension nothing is left but round-off
       last = w;
       CHECK(w > isentrope.vacuum_invariant() * (1 + 1e-12));
     }

@@ -118,9 +118,9 @@ double increasing_root(ScalarFunction const& f, double start) {
       hi *= factor;
     }
   }
-  return lo == hi
-             ? lo
-             : std::exp(find_root([&](double log_rho) { return f(std::exp(log_rho)); }, std::log(lo), std::log(hi)));
+  if (lo == hi) return lo;
+  // widened by round-off: a root may sit on an end, and exp(ln rho) is not rho
+  return std::exp(find_root([&](double y) { return f(std::exp(y)); }, std::log(lo) - 1e-13, std::log(hi) + 1e-13));
 }
 
 }  // namespace
