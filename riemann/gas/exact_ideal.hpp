@@ -102,7 +102,7 @@ struct Star {
 };
 
 template <Lane V>
-G27_INLINE Star<V> star(Exponents const& e, Side<V> const& l, Side<V> const& r, Mask<V> active) noexcept {
+Star<V> star(Exponents const& e, Side<V> const& l, Side<V> const& r, Mask<V> active) noexcept {
   constexpr int limit = 60;       // a pressure ratio of 1e10 takes 6
   constexpr double close = 1e-4;  // a Halley step of this relative length leaves an error of 1e-13
   constexpr double halley = 0.1;  // steps shorter than this may be Halley's
@@ -158,8 +158,7 @@ G27_INLINE GasState<V> sample_side(Exponents const& e, Side<V> const& k, V P_s, 
 
 /// Two rarefactions that leave a vacuum between them (Toro 4.6). a_l, a_r: speeds of the fronts.
 template <Lane V>
-G27_INLINE FaceSolution<V> vacuum_face(Exponents const& e, Side<V> const& l, Side<V> const& r,
-                                       Mask<V> wanted) noexcept {
+FaceSolution<V> vacuum_face(Exponents const& e, Side<V> const& l, Side<V> const& r, Mask<V> wanted) noexcept {
   V const front_l = l.u + e.a * l.c, front_r = r.u - e.a * r.c;
   auto const left = front_l > V(0.0), right = front_r < V(0.0);
   Side<V> const k{select(left, l.rho, r.rho),
@@ -178,8 +177,8 @@ G27_INLINE FaceSolution<V> vacuum_face(Exponents const& e, Side<V> const& l, Sid
 
 /// Solves in P = p + p_inf. Lanes that are not active return unspecified values; they may hold any bits.
 template <Lane V>
-G27_INLINE FaceSolution<V> face(double gamma, double p_inf, GasState<V> const& left, GasState<V> const& right,
-                                Mask<V> active) noexcept {
+FaceSolution<V> face(double gamma, double p_inf, GasState<V> const& left, GasState<V> const& right,
+                     Mask<V> active) noexcept {
   Exponents const e = exponents(gamma);
   V const P_l = left.p + p_inf, P_r = right.p + p_inf;
   V const inv_rho = 1.0 / (left.rho * right.rho), inv_P = 1.0 / (P_l * P_r);
