@@ -145,6 +145,8 @@ std::vector<std::vector<double>> solve_ode(OdeSlope const& f, std::vector<double
   check(CVodeSetUserData(cvode.get(), &ode), "data");
   check(CVodeSetNonlinearSolver(cvode.get(), iteration.get()), "iteration");
   check(CVodeSetMaxNumSteps(cvode.get(), 1000000), "step limit");
+  // Values between steps are interpolated, which in long steps at high order errs by more than the tolerance.
+  check(CVodeSetMaxStep(cvode.get(), std::fabs(nodes.back() - nodes.front()) / 500), "step size");
   std::vector<std::vector<double>> out{start};
   out.reserve(nodes.size());
   for (std::size_t i = 1; i < nodes.size(); ++i) {
