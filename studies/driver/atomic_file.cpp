@@ -1,0 +1,43 @@
+#include "studies/driver/atomic_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+namespace g27 {
+
+void write_atomically(std::filesystem::path const& file, std::span<std::byte const> bytes) {
+  std::filesystem::path const temporary = file.string() + ".part";
+  int const descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  int error = descriptor < 0 ? errno : 0;
+  for (std::size_t done = 0; error == 0 && done < bytes.size();) {
+    ssize_t const count = ::write(descriptor, bytes.data() + done, bytes.size() - done);
+    if (count >= 0) {
+      done += static_cast<std::size_t>(count);
+    } else if (errno != EINTR) {
+      error = errno;
+    }
+  }
+  if (error == 0 && ::fsync(descriptor) != 0 && errno != EINVAL) {  // EINVAL: not a file that can be flushed
+    error = errno;
+  }
+  if (descriptor >= 0 && ::close(descriptor) != 0 && error == 0) {
+    error = errno;
+  }
+  if (error == 0 && ::rename(temporary.c_str(), file.c_str()) != 0) {
+    error = errno;
+  }
+  if (error != 0) {
+    ::unlink(temporary.c_str());
+    throw OutputError(fmt::format("cannot write {}: {}", file.string(), std::strerror(error)));
+  }
+}
+
+void write_atomically(std::filesystem::path const& file, std::string_view text) {
+  write_atomically(file, std::as_bytes(std::span(text)));
+}
+
+}  // namespace g27

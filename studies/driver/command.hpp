@@ -1,0 +1,69 @@
+#pragma once
+/// The commands of the program. Each takes its parsed arguments, prints its result on stdout and returns the exit
+/// status: 0, or 1 when a claim fails or a run fails numerically. Mistakes of the user throw InputError (status 2).
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace g27 {
+
+struct RunArguments {
+  std::string scene = "tnt-rdx-sphere", out;
+  std::vector<std::string> set;
+  int threads = 0;  ///< 0: as many as the machine has
+  bool json = false, resume = false, figures = true;
+  double checkpoint_s = 30;
+};
+int command_run(RunArguments const& arguments);
+
+struct CheckArguments {
+  std::string scene;
+  std::vector<std::string> set;
+  bool json = false;
+};
+int command_check(CheckArguments const& arguments);
+
+struct CaseArguments {
+  std::string name;
+  std::optional<int> cells, order;
+  std::optional<double> cfl;
+  std::optional<std::string> monotonicity, mesh, eos, scheme, feet, riemann;
+  bool json = false;
+};
+int command_case(CaseArguments const& arguments);
+
+struct StudyArguments {
+  std::string name, out;
+  bool json = false;
+};
+int command_study(StudyArguments const& arguments);
+
+struct ExactArguments {
+  std::string name;
+  std::vector<std::string> values;  ///< key=value
+  bool json = false;
+};
+int command_exact(ExactArguments const& arguments);
+
+struct FigureArguments {
+  std::string name, from, out = "results/figures";
+};
+int command_figure(FigureArguments const& arguments);
+
+struct BenchArguments {
+  std::string name;  ///< empty: every benchmark
+  int cells = 0, threads = 1;
+  bool json = false;
+};
+int command_bench(BenchArguments const& arguments);
+
+struct ListArguments {
+  std::string kind;  ///< empty: everything
+  bool json = false;
+};
+int command_list(ListArguments const& arguments);
+
+/// Parses the command line and runs the command; maps errors to messages on stderr and to the exit status.
+int run_program(int argc, char** argv);
+
+}  // namespace g27

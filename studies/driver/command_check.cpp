@@ -1,0 +1,80 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "riemann/eos/factory.hpp"
+#include "studies/driver/command.hpp"
+#include "studies/driver/progress.hpp"
+#include "studies/driver/scene_check.hpp"
+#include "studies/driver/scene_reader.hpp"
+#include "studies/driver/table.hpp"
+
+namespace g27 {
+
+int command_check(CheckArguments const& arguments) {
+  Scene const scene = read_scene(find_scene(arguments.scene), arguments.set);
+  auto const estimates = estimate(scene);
+  double seconds = 0, bytes = 0;
+  for (RunEstimate const& e : estimates) {
+    seconds += e.seconds;
+    bytes += e.bytes;
+  }
+  if (arguments.json) {
+    nlohmann::ordered_json json{{"scene", scene.name},
+                                {"title", scene.title},
+                                {"runs", nlohmann::ordered_json::array()},
+                                {"expectations", scene.expect.size()},
+                                {"seconds", seconds},
+                                {"bytes", bytes},
+                                {"bare_numbers", scene.bare_numbers}};
+    for (std::size_t i = 0; i < estimates.size(); ++i) {
+      SceneRun const& run = scene.runs[i];
+      json["runs"].push_back({{"name", run.name},
+                              {"variant", run.variant},
+                              {"scheme", run.scheme},
+                              {"eos", eos_name(run.setup.eos)},
+                              {"symmetry", symmetry_names()[static_cast<std::size_t>(run.setup.symmetry)]},
+                              {"cells", estimates[i].cells},
+                              {"start_s", run.start},
+                              {"end_s", run.end},
+                              {"steps", estimates[i].steps},
+                              {"seconds", estimates[i].seconds},
+                              {"bytes", estimates[i].bytes}});
+    }
+    fmt::print("{}\n", json.dump(2));
+    return 0;
+  }
+  Table table{.name = "check",
+              .title = scene.title,
+              .columns = {{"run", "1"},
+                          {"symmetry", "1"},
+                          {"eos", "1"},
+                          {"cells", "1"},
+                          {"from", "us"},
+                          {"to", "us"},
+                          {"steps", "1"},
+                          {"time", "s"},
+                          {"file", "MB"}},
+              .rows = {},
+              .facts = {}};
+  for (std::size_t i = 0; i < estimates.size(); ++i) {
+    SceneRun const& run = scene.runs[i];
+    RunEstimate const& e = estimates[i];
+    table.rows.push_back({e.name, symmetry_names()[static_cast<std::size_t>(run.setup.symmetry)],
+                          eos_name(run.setup.eos), static_cast<long>(e.cells), run.start * 1e6, run.end * 1e6, e.steps,
+                          e.seconds, e.bytes / 1e6});
+  }
+  fmt::print("{}\nabout {} on one thread, {:.1f} MB; {} figures to judge\n", to_text(table), duration_text(seconds),
+             bytes / 1e6, scene.expect.size());
+  if (scene.bare_numbers.empty()) {
+    fmt::print("every number with a dimension carries its unit\n");
+  } else {
+    fmt::print("read as SI, for want of a unit:\n");
+    for (auto const& note : scene.bare_numbers) {
+      fmt::print("  {}\n", note);
+    }
+  }
+  return 0;
+}
+
+}  // namespace g27

@@ -1,0 +1,176 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdio>
+#include <memory>
+
+#include "studies/driver/atomic_file.hpp"
+#include "studies/driver/command.hpp"
+#include "studies/driver/input_error.hpp"
+#include "studies/driver/nearest_key.hpp"
+#include "studies/driver/provenance.hpp"
+#include "verification/exact/oracle.hpp"
+
+namespace g27 {
+namespace {
+
+constexpr int bad_input = 2;
+
+std::string version_text() {
+  auto const facts = build_facts();
+  return fmt::format("g27 {} ({}), {} {}", facts.version, facts.commit, facts.compiler, facts.build_type);
+}
+
+void json_flag(CLI::App* command, bool& json) {
+  command->add_flag("--json", json, "print one JSON object on stdout and nothing else there");
+}
+
+/// Each command shares its arguments with the action that CLI11 keeps.
+template <class Arguments>
+CLI::App* add_command(CLI::App& app, std::string const& name, std::string const& what, int (*command)(Arguments const&),
+                      std::shared_ptr<Arguments> const& arguments, int& status) {
+  CLI::App* sub = app.add_subcommand(name, what);
+  sub->callback([=, &status] { status = command(*arguments); });
+  return sub;
+}
+
+void add_run(CLI::App& app, int& status) {
+  auto const a = std::make_shared<RunArguments>();
+  auto* sub = add_command(app, "run", "run a scene, write its results and judge them", command_run, a, status);
+  sub->add_option("scene", a->scene, "path, or name in studies/scenes")->capture_default_str();
+  sub->add_option("--out", a->out, "folder of the results (default: results/SCENE)");
+  sub->add_option("--set", a->set, "override a key: domain.cells=400")->allow_extra_args(false);
+  sub->add_option("--threads", a->threads, "default: all of the machine")->check(CLI::Range(1, 1024));
+  sub->add_flag("--resume", a->resume, "continue from the last checkpoint in the folder");
+  sub->add_option("--checkpoint", a->checkpoint_s, "seconds between checkpoints")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber);
+  sub->add_flag("!--no-figures", a->figures, "draw nothing");
+  json_flag(sub, a->json);
+}
+
+void add_check(CLI::App& app, int& status) {
+  auto const a = std::make_shared<CheckArguments>();
+  auto* sub = add_command(app, "check", "read a scene and say what would be computed", command_check, a, status);
+  sub->add_option("scene", a->scene, "path, or name in studies/scenes")->required();
+  sub->add_option("--set", a->set, "override a key: domain.cells=400")->allow_extra_args(false);
+  json_flag(sub, a->json);
+}
+
+void add_case(CLI::App& app, int& status) {
+  auto const a = std::make_shared<CaseArguments>();
+  auto* sub = add_command(app, "case", "run a verification case and print its errors", command_case, a, status);
+  sub->add_option("name", a->name, "see: g27 list cases")->required();
+  sub->add_option("--cells", a->cells, "number of cells")->check(CLI::Range(4, 50'000'000));
+  auto* order = sub->add_option("--order", a->order, "1 Godunov, 2 linear, 3 parabolic")->check(CLI::Range(1, 3));
+  sub->add_option("--scheme", a->scheme, "godunov, linear, parabolic or muscl")->excludes(order);
+  sub->add_option("--switch", a->monotonicity, "on, off, graded, binary or literal");
+  sub->add_option("--cfl", a->cfl, "Courant number, above 0 and up to 1");
+  sub->add_option("--mesh", a->mesh, "uniform, graded, alternating, random, moving or moving-random");
+  sub->add_option("--eos", a->eos, "equation of state, where the case has a choice");
+  sub->add_option("--feet", a->feet, "conservative, corrected-3.10 or printed-3.10");
+  sub->add_option("--riemann", a->riemann, "fast, exact or hllc");
+  json_flag(sub, a->json);
+}
+
+void add_study(CLI::App& app, int& status) {
+  auto const a = std::make_shared<StudyArguments>();
+  auto* sub = add_command(app, "study", "run a study: table, figure and verdict", command_study, a, status);
+  sub->add_option("name", a->name, "see: g27 list studies")->required();
+  sub->add_option("--out", a->out, "folder of the results (default: results/studies/NAME)");
+  json_flag(sub, a->json);
+}
+
+void add_exact(CLI::App& app, int& status) {
+  auto const a = std::make_shared<ExactArguments>();
+  auto* sub = add_command(app, "exact", "evaluate an exact solution", command_exact, a, status);
+  sub->add_option("name", a->name, "see: g27 list exact")->required();
+  sub->add_option("values", a->values, "key=value ...");
+  json_flag(sub, a->json);
+}
+
+void add_figure(CLI::App& app, int& status) {
+  auto const a = std::make_shared<FigureArguments>();
+  auto* sub = add_command(app, "figure", "draw a figure from results", command_figure, a, status);
+  sub->add_option("name", a->name, "see: g27 list figures")->required();
+  sub->add_option("--from", a->from, "HDF5 file or folder of results (default: where the study or scene wrote them)");
+  sub->add_option("--out", a->out, "folder of the figure")->capture_default_str();
+}
+
+void add_bench(CLI::App& app, int& status) {
+  auto const a = std::make_shared<BenchArguments>();
+  auto* sub = add_command(app, "bench", "measure rates beside a yardstick of the machine", command_bench, a, status);
+  sub->add_option("name", a->name, "see: g27 list benchmarks (default: all)");
+  sub->add_option("--cells", a->cells, "number of cells")->check(CLI::Range(4, 50'000'000));
+  sub->add_option("--threads", a->threads, "number of threads")->capture_default_str()->check(CLI::Range(1, 1024));
+  json_flag(sub, a->json);
+}
+
+void add_list(CLI::App& app, int& status) {
+  auto const a = std::make_shared<ListArguments>();
+  auto* sub = add_command(app, "list", "list what there is", command_list, a, status);
+  sub->add_option("kind", a->kind, "scenes, cases, studies, exact, eos, schemes, figures or benchmarks");
+  json_flag(sub, a->json);
+}
+
+void add_test(CLI::App& app) {
+  auto* sub = app.add_subcommand("test", "build and run the tests: ./g27 test [arguments of ctest]");
+  sub->allow_extras();
+  sub->callback(
+      [] { throw InputError("g27", "test", "is a command of the launcher", "run ./g27 test in the source folder"); });
+}
+
+int report(InputError const& error) {
+  fmt::print(stderr, "{}: {}: {}\n  -> {}\n", error.file, error.key, error.problem, error.remedy);
+  return bad_input;
+}
+
+}  // namespace
+
+int run_program(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file too large is an error of the write, reported as such
+  int status = 0;
+  CLI::App app{"godunov27: a verification-first testbed for shock physics", "g27"};
+  app.set_version_flag("--version", version_text());
+  app.require_subcommand(1);
+  add_run(app, status);
+  add_check(app, status);
+  add_case(app, status);
+  add_study(app, status);
+  add_exact(app, status);
+  add_figure(app, status);
+  add_bench(app, status);
+  add_list(app, status);
+  add_test(app);
+  try {
+    app.parse(argc, argv);
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+      throw OutputError("cannot write to stdout");
+    }
+    return status;
+  } catch (CLI::Success const& done) {  // --help, --version
+    return app.exit(done);
+  } catch (CLI::ParseError const& error) {
+    app.exit(error);
+    if (argc > 1) {
+      std::vector<std::string> names;
+      for (auto const* sub : app.get_subcommands({})) {
+        names.push_back(sub->get_name());
+      }
+      if (std::string const near = nearest_key(argv[1], names); !near.empty() && near != argv[1]) {
+        fmt::print(stderr, "  -> did you mean 'g27 {}'?\n", near);
+      }
+    }
+    return bad_input;
+  } catch (InputError const& error) {
+    return report(error);
+  } catch (OracleError const& error) {
+    return report({"g27 exact", error.key, error.what, error.remedy});
+  } catch (std::exception const& error) {
+    fmt::print(stderr, "g27: {}\n", error.what());
+    return 1;
+  }
+}
+
+}  // namespace g27

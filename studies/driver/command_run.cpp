@@ -1,0 +1,125 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "studies/driver/atomic_file.hpp"
+#include "studies/driver/command.hpp"
+#include "studies/driver/python.hpp"
+#include "studies/driver/scene_reader.hpp"
+#include "studies/driver/scene_run.hpp"
+#include "studies/driver/table_json.hpp"
+
+namespace g27 {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json ledger_json(GasLedger const& ledger) {
+  return {
+      {"mass", ledger.mass.residual()}, {"momentum", ledger.momentum.residual()}, {"energy", ledger.energy.residual()}};
+}
+
+Json result_json(Scene const& scene, SceneResult const& result, std::filesystem::path const& out) {
+  Json json{{"scene", scene.name}, {"title", scene.title}, {"out", out.string()}, {"runs", Json::array()}};
+  for (SceneRun const& run : scene.runs) {
+    Json entry{{"name", run.name}, {"variant", run.variant}, {"scheme", run.scheme}};
+    if (auto const found = result.records.find(run.name); found != result.records.end()) {
+      RunRecord const& record = found->second;
+      entry.update({{"complete", record.complete},
+                    {"cells", run.setup.faces.size() - 1},
+                    {"steps", record.restart.counters.steps},
+                    {"wall_s", record.wall_s},
+                    {"time_s", record.restart.time},
+                    {"ledger", ledger_json(record.restart.ledger)}});
+    }
+    if (auto const failed = result.failures.find(run.name); failed != result.failures.end()) {
+      entry["failure"] = failed->second;
+    }
+    json["runs"].push_back(std::move(entry));
+  }
+  json["expect"] = Json::array();
+  for (Judgement const& j : result.judgements) {
+    json["expect"].push_back({{"variant", j.expected.variant},
+                              {"quantity", j.expected.quantity},
+                              {"scheme", j.scheme},
+                              {"expected", j.expected.value},
+                              {"tolerance", j.expected.tolerance},
+                              {"measured", j.measured ? Json(*j.measured) : Json(nullptr)},
+                              {"judged", j.judged},
+                              {"holds", j.holds()},
+                              {"source", j.expected.source}});
+  }
+  json["holds"] = result.holds();
+  return json;
+}
+
+/// The default figure of every variant: profiles, x-t map and history of its runs together.
+void draw_variants(Scene const& scene, SceneResult const& result, std::filesystem::path const& out) {
+  std::vector<std::string> variants;
+  for (SceneRun const& run : scene.runs) {
+    if (variants.empty() || variants.back() != run.variant) {
+      variants.push_back(run.variant);
+    }
+  }
+  for (std::string const& variant : variants) {
+    std::vector<std::string> files;
+    std::string name;
+    for (SceneRun const& run : scene.runs) {
+      if (run.variant == variant && result.records.contains(run.name)) {
+        files.push_back((out / (run.name + ".h5")).string());
+        name = run.name.substr(0, run.name.size() - run.scheme.size() - 1);
+      }
+    }
+    if (!files.empty()) {
+      files.push_back((out / (name + ".png")).string());
+      draw("scene", files);
+    }
+  }
+}
+
+}  // namespace
+
+int command_run(RunArguments const& arguments) {
+  Scene const scene = read_scene(find_scene(arguments.scene), arguments.set);
+  std::filesystem::path const out = arguments.out.empty() ? "results/" + scene.name : arguments.out;
+  int const machine = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  fmt::print(stderr, "{}: {} run{} into {}\n", scene.title, scene.runs.size(), scene.runs.size() == 1 ? "" : "s",
+             out.string());
+  SceneResult const result = run_scene(scene, {.out = out,
+                                               .threads = arguments.threads > 0 ? arguments.threads : machine,
+                                               .resume = arguments.resume,
+                                               .checkpoint_s = arguments.checkpoint_s});
+  std::vector<Table> tables{run_table(scene, result)};
+  if (!result.judgements.empty()) {
+    tables.push_back(verdict_table(scene, result.judgements));
+  }
+  for (Table const& table : tables) {
+    write_csv(out, table);
+  }
+  Json const json = result_json(scene, result, out);
+  write_atomically(out / "summary.json", json.dump(2) + "\n");
+  for (auto const& [name, message] : result.failures) {
+    fmt::print(stderr, "failed: {}\n  see {}/{}.failure.json\n", message, out.string(), name);
+  }
+  if (result.interrupted) {
+    fmt::print(stderr, "interrupted; continue with --resume\n");
+    return 1;
+  }
+  if (arguments.figures) {
+    draw_variants(scene, result, out);
+  }
+  if (arguments.json) {
+    fmt::print("{}\n", json.dump(2));
+  } else {
+    for (Table const& table : tables) {
+      fmt::print("{}\n", to_text(table));
+    }
+    if (!result.judgements.empty()) {
+      fmt::print("{}\n", result.holds() ? "Every judged figure holds." : "A JUDGED FIGURE FAILS.");
+    }
+  }
+  return result.holds() ? 0 : 1;
+}
+
+}  // namespace g27

@@ -1,0 +1,13 @@
+#pragma once
+/// What is needed to look into a failed step: the cell, its stencil and the inputs.
+#include <string>
+
+#include "studies/driver/scene.hpp"
+
+namespace g27 {
+
+/// JSON: status, time, step, cell, EOS with parameters, options, and the state of the cells within four of the failed
+/// one (positions, primitive state, conserved averages, pressure margin).
+std::string failure_capsule(SceneRun const& run, GasLine const& line, StepReport const& report);
+
+}  // namespace g27

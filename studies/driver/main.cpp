@@ -1,0 +1,3 @@
+#include "studies/driver/command.hpp"
+
+int main(int argc, char** argv) { return g27::run_program(argc, argv); }

@@ -1,0 +1,24 @@
+#pragma once
+/// Scalars drawn from a run's history: what [[expect]] may judge.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "studies/driver/history.hpp"
+#include "studies/driver/scene.hpp"
+#include "studies/driver/units.hpp"
+
+namespace g27 {
+
+struct HistoryQuantity {
+  std::string name, what;
+  Dimension dimension;
+  std::string
+      needs;  ///< keys of [[expect]] it takes, among: time after window probe; or `threshold`: [output] must set it
+  /// Value in SI; empty when the run does not reach it (no arrival, ended before).
+  std::optional<double> (*evaluate)(History const&, OutputPlan const&, Expectation const&);
+};
+
+std::vector<HistoryQuantity> const& all_quantities();
+
+}  // namespace g27

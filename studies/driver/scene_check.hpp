@@ -1,0 +1,17 @@
+#pragma once
+/// What running a scene would cost.
+#include "studies/driver/scene.hpp"
+
+namespace g27 {
+
+struct RunEstimate {
+  std::string name;
+  std::size_t cells = 0;
+  double steps = 0, seconds = 0, bytes = 0;  ///< bytes: of the result file
+};
+
+/// Takes the first steps of every run, at most `budget_s` each, and extrapolates. Steps grow or shrink with the sound
+/// speed, so the estimate is good to a factor of about two.
+std::vector<RunEstimate> estimate(Scene const& scene, double budget_s = 0.1);
+
+}  // namespace g27

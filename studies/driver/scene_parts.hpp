@@ -1,0 +1,47 @@
+#pragma once
+/// The parts of a scene, each read by one function from its section. All throw InputError.
+#include "studies/driver/scene.hpp"
+#include "studies/driver/section.hpp"
+
+namespace g27 {
+
+/// [material.NAME] eos = { type = ..., parameters }.
+AnyEos read_eos(Section const& root);
+
+/// [domain] extent with cells or cell, and mesh: positions of the faces.
+std::vector<double> read_faces(Section const& domain);
+/// [domain] motion.
+MeshMotion read_motion(Section const& domain, double left, double right);
+/// [domain] boundary.left or .right.
+GasBoundary read_boundary(Section const& domain, std::string const& side, AnyEos const& eos);
+
+struct InitialData {
+  InitialState state;
+  std::optional<double> start;  ///< s, where the data fix it (time since ignition)
+};
+/// [ambient], [[region]], [[charge]] and [initial] over the faces' extent.
+InitialData read_initial(Section const& root, AnyEos const& eos, Symmetry symmetry, double left, double right);
+
+/// A charge whose detonation wave reaches its surface at `breakout` after ignition at the centre.
+struct Charge {
+  double radius = 0, breakout = 0;  ///< m, s
+  InitialState state;               ///< exact self-similar wave at breakout
+  Section section;
+};
+std::vector<Charge> read_charges(Section const& root, AnyEos const& eos, Symmetry symmetry);
+
+/// [scheme]: one set of options a scheme asked for.
+std::vector<GasSchemeOptions> read_schemes(Section const& root, double cfl);
+
+/// [output], for a run from `start` to `end`.
+OutputPlan read_output(Section const& root, double start, double end, double left, double right);
+
+/// [[expect]].
+std::vector<Expectation> read_expectations(Section const& root, std::vector<std::string> const& variants);
+
+/// Density, velocity, pressure of a section, checked admissible for `eos`.
+GasState<> read_state(Section const& section, AnyEos const& eos);
+/// Throws through `where` unless density > 0 and the pressure margin > 0.
+void check_admissible(Section const& where, AnyEos const& eos, GasState<> const& state);
+
+}  // namespace g27

@@ -1,0 +1,171 @@
+#include "studies/driver/scene_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <csignal>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+#include "studies/driver/atomic_file.hpp"
+#include "studies/driver/output.hpp"
+#include "studies/driver/progress.hpp"
+#include "studies/driver/simulate.hpp"
+
+namespace g27 {
+namespace {
+
+volatile std::sig_atomic_t stop_requested = 0;
+
+/// Ctrl-C and SIGTERM end a run at its next step with a checkpoint; a second Ctrl-C kills.
+class SignalGuard {
+ public:
+  SignalGuard() {
+    stop_requested = 0;
+    old_interrupt_ = std::signal(SIGINT, handle);
+    old_terminate_ = std::signal(SIGTERM, handle);
+  }
+  ~SignalGuard() {
+    std::signal(SIGINT, old_interrupt_);
+    std::signal(SIGTERM, old_terminate_);
+  }
+  SignalGuard(SignalGuard const&) = delete;
+  SignalGuard& operator=(SignalGuard const&) = delete;
+
+ private:
+  static void handle(int signal) {
+    stop_requested = 1;
+    std::signal(signal, SIG_DFL);
+  }
+  void (*old_interrupt_)(int);
+  void (*old_terminate_)(int);
+};
+
+/// Work of a run up to a factor: cells x steps, the step being in proportion to the smallest cell.
+double weight(SceneRun const& run) {
+  auto const& x = run.setup.faces;
+  double smallest = x.back() - x.front();
+  for (std::size_t i = 1; i < x.size(); ++i) {
+    smallest = std::min(smallest, x[i] - x[i - 1]);
+  }
+  return static_cast<double>(x.size()) * (run.end - run.start) / smallest;
+}
+
+}  // namespace
+
+bool SceneResult::holds() const {
+  return failures.empty() && !interrupted &&
+         std::all_of(judgements.begin(), judgements.end(), [](Judgement const& j) { return !j.judged || j.holds(); });
+}
+
+SceneResult run_scene(Scene const& scene, SceneRunOptions const& options) {
+  std::error_code error;
+  std::filesystem::create_directories(options.out, error);
+  if (error) {
+    throw OutputError(fmt::format("cannot create {}: {}", options.out.string(), error.message()));
+  }
+  SignalGuard const signals;
+  SceneResult result;
+  std::vector<double> weights;
+  std::transform(scene.runs.begin(), scene.runs.end(), std::back_inserter(weights), weight);
+  Progress progress(weights);
+  std::mutex files;  // the HDF5 library is not safe from several threads
+  std::atomic<std::size_t> next = 0;
+  std::exception_ptr trouble;
+
+  auto const work = [&](int threads) {
+    for (std::size_t i; !stop_requested && (i = next++) < scene.runs.size();) {
+      SceneRun run = scene.runs[i];
+      run.setup.options.threads = threads;
+      auto const file = options.out / (run.name + ".h5");
+      auto const save = [&](RunRecord const& record) {
+        std::lock_guard const lock(files);
+        write_run(file, scene, run, record, options.threads);
+      };
+      try {
+        RunRecord record(run);
+        if (options.resume && std::filesystem::exists(file)) {
+          std::lock_guard const lock(files);
+          record = read_run(file, scene, run);
+        }
+        simulate(run, record,
+                 {.progress = [&](double fraction) { progress.update(i, fraction, run.name); },
+                  .checkpoint = save,
+                  .checkpoint_s = options.checkpoint_s,
+                  .interrupted = [] { return stop_requested != 0; }});
+        if (record.complete) {
+          progress.update(i, 1, run.name);
+          save(record);
+        }
+        std::lock_guard const lock(files);
+        result.interrupted = result.interrupted || !record.complete;
+        result.records.emplace(run.name, std::move(record));
+      } catch (RunFailure const& failure) {
+        std::lock_guard const lock(files);
+        result.failures[run.name] = failure.what();
+        try {
+          write_atomically(options.out / (run.name + ".failure.json"), failure.capsule);
+        } catch (...) {
+          trouble = std::current_exception();
+        }
+      } catch (...) {
+        std::lock_guard const lock(files);
+        trouble = std::current_exception();
+        next = scene.runs.size();
+      }
+    }
+  };
+
+  auto const workers = std::clamp<std::size_t>(static_cast<std::size_t>(options.threads), 1, scene.runs.size());
+  int const threads_each = std::max(1, options.threads / static_cast<int>(workers));
+  std::vector<std::thread> pool;
+  for (std::size_t i = 1; i < workers; ++i) {
+    pool.emplace_back(work, threads_each);
+  }
+  work(threads_each);
+  for (auto& thread : pool) {
+    thread.join();
+  }
+  if (trouble) {
+    std::rethrow_exception(trouble);
+  }
+  result.interrupted = result.interrupted || stop_requested;
+  result.judgements = judge(scene, result.records);
+  return result;
+}
+
+Table run_table(Scene const& scene, SceneResult const& result) {
+  Table table{.name = "runs",
+              .title = "Runs",
+              .columns = {{"run", "1"},
+                          {"cells", "1"},
+                          {"steps", "1"},
+                          {"wall", "s"},
+                          {"updates", "1/s"},
+                          {"switched", "%"},
+                          {"repaired", "1"},
+                          {"floored", "1"},
+                          {"mass", "1"},
+                          {"energy", "1"}},
+              .rows = {},
+              .facts = {}};
+  for (SceneRun const& run : scene.runs) {
+    auto const found = result.records.find(run.name);
+    if (found == result.records.end()) {
+      continue;
+    }
+    RunRecord const& record = found->second;
+    GasCounters const& c = record.restart.counters;
+    auto const count = [](std::uint64_t n) { return static_cast<long>(n); };
+    double const faces = std::max(1.0, static_cast<double>(c.faces));
+    table.rows.push_back({run.name, static_cast<long>(run.setup.faces.size()) - 1, count(c.steps), record.wall_s,
+                          static_cast<double>(c.cell_updates) / std::max(record.wall_s, 1e-9),
+                          100 * static_cast<double>(c.switched) / faces, count(c.repaired), count(c.floored),
+                          record.restart.ledger.mass.residual(), record.restart.ledger.energy.residual()});
+  }
+  return table;
+}
+
+}  // namespace g27

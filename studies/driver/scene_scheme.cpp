@@ -1,0 +1,67 @@
+/// [scheme]: which schemes run, and with which options.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "studies/driver/scene_parts.hpp"
+
+namespace g27 {
+namespace {
+
+Predictor of_order(Section const& section, Node const& node) {
+  auto const* order = std::get_if<long>(&node.value);
+  if (order == nullptr || *order < 1 || *order > 3) {
+    throw section.error("order", order == nullptr ? "is not a whole number" : fmt::format("{} is unknown", *order),
+                        "choose 1 (Godunov), 2 (linear profile) or 3 (parabola), or a list of these");
+  }
+  return static_cast<Predictor>(*order - 1);
+}
+
+Predictor of_name(Section const& section, Node const& node) {
+  auto const* name = std::get_if<std::string>(&node.value);
+  if (name == nullptr) {
+    throw section.error("name", fmt::format("is {}, not text", node.type_name()),
+                        "choose godunov, linear, parabolic or muscl, or a list of these");
+  }
+  return static_cast<Predictor>(index_of_choice(section, "name", *name, predictor_names()));
+}
+
+}  // namespace
+
+std::vector<GasSchemeOptions> read_schemes(Section const& root, double cfl) {
+  GasSchemeOptions options;
+  options.cfl = cfl;
+  if (!root.has("scheme")) {
+    return {options};
+  }
+  Section const section = root.table("scheme", {"order", "name", "switch", "riemann", "feet", "linear_star"});
+  options.monotonicity = static_cast<Switch>(section.choice("switch", switch_names(), 3));
+  options.riemann = static_cast<RiemannSolver>(section.choice("riemann", riemann_names(), 0));
+  options.feet = static_cast<FootPoints>(section.choice("feet", feet_names(), 0));
+  options.linear_star = section.flag("linear_star", options.linear_star);
+  if (section.has("order") && section.has("name")) {
+    throw section.error("name", "is given beside order", "keep one: order = 2 is name = \"linear\"");
+  }
+  std::string const key = section.has("name") ? "name" : "order";
+  if (!section.has(key)) {
+    return {options};
+  }
+  Node const& node = section.need(key, "2");
+  auto const* list = std::get_if<Node::Array>(&node.value);
+  std::vector<GasSchemeOptions> out;
+  for (Node const& entry : list != nullptr ? *list : Node::Array{node}) {
+    options.predictor = key == "name" ? of_name(section, entry) : of_order(section, entry);
+    for (auto const& other : out) {
+      if (other.predictor == options.predictor) {
+        throw section.error(key, "names a scheme twice", "list each scheme once");
+      }
+    }
+    out.push_back(options);
+  }
+  if (out.empty()) {
+    throw section.error(key, "is an empty list", "name at least one scheme");
+  }
+  return out;
+}
+
+}  // namespace g27

@@ -1,0 +1,205 @@
+#include "studies/driver/section.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "studies/driver/nearest_key.hpp"
+
+namespace g27 {
+
+void Reading::note_bare(std::string const& key, double value, Dimension const& dimension) {
+  auto note = fmt::format("{} = {} ({}, {})", key, value, dimension.name, si_unit(dimension.exponents));
+  if (std::find(bare_numbers.begin(), bare_numbers.end(), note) == bare_numbers.end()) {
+    bare_numbers.push_back(std::move(note));
+  }
+}
+
+Section::Section(Reading& reading, Node const& node, std::string path, std::vector<std::string> known)
+    : reading_(&reading), node_(&node), path_(std::move(path)) {
+  auto const* table = std::get_if<Node::Table>(&node.value);
+  if (table == nullptr) {
+    throw error_at(node, path_, fmt::format("is {}, not a table", node.type_name()),
+                   fmt::format("give it entries: {}", fmt::join(known, ", ")));
+  }
+  for (auto const& entry : *table) {
+    if (std::find(known.begin(), known.end(), entry.key) == known.end()) {
+      throw error_at(entry.node, full(entry.key), "unknown key", suggestion(entry.key, known));
+    }
+  }
+}
+
+InputError Section::error_at(Node const& node, std::string const& key, std::string const& what,
+                             std::string const& remedy) const {
+  std::string const place = node.line > 0 ? fmt::format(":{}:{}", node.line, node.column) : "";
+  return {reading_->file + place, key.empty() ? "scene" : key, what, remedy};
+}
+
+InputError Section::error(std::string const& key, std::string const& what, std::string const& remedy) const {
+  Node const* at = node_->find(key);
+  return error_at(at != nullptr ? *at : *node_, key.empty() ? path_ : full(key), what, remedy);
+}
+
+Node const& Section::need(std::string const& key, std::string const& example) const {
+  Node const* found = node_->find(key);
+  if (found == nullptr) {
+    throw error(key, "is missing", fmt::format("add {} = {}", key, example));
+  }
+  return *found;
+}
+
+double Section::quantity_of(Node const& node, std::string const& key, Dimension const& dimension) const {
+  auto const fail = [&](std::string const& what) {
+    return error_at(node, full(key), what, fmt::format("give a {} such as \"{}\"", dimension.name, dimension.example));
+  };
+  double value = 0;
+  if (auto const* text = std::get_if<std::string>(&node.value)) {
+    auto const parsed = parse_quantity(*text);
+    if (!parsed) {
+      throw fail(fmt::format("'{}' is not a number with a unit", *text));
+    }
+    if (parsed->has_unit && parsed->exponents != dimension.exponents) {
+      throw fail(
+          fmt::format("'{}' is not a {} but has the dimension {}", *text, dimension.name, si_unit(parsed->exponents)));
+    }
+    value = parsed->value;
+    if (!parsed->has_unit && dimension.exponents != dimension::number.exponents) {
+      reading_->note_bare(full(key), value, dimension);
+    }
+  } else if (std::holds_alternative<double>(node.value) || std::holds_alternative<long>(node.value)) {
+    auto const* integer = std::get_if<long>(&node.value);
+    value = integer != nullptr ? static_cast<double>(*integer) : std::get<double>(node.value);
+    if (dimension.exponents != dimension::number.exponents) {
+      reading_->note_bare(full(key), value, dimension);
+    }
+  } else {
+    throw fail(fmt::format("is {}, not a number", node.type_name()));
+  }
+  if (!std::isfinite(value)) {
+    throw fail("is not a finite number");
+  }
+  return value;
+}
+
+double Section::quantity(std::string const& key, Dimension const& dimension) const {
+  return quantity_of(need(key, fmt::format("\"{}\"", dimension.example)), key, dimension);
+}
+
+double Section::quantity(std::string const& key, Dimension const& dimension, double fallback) const {
+  Node const* found = node_->find(key);
+  return found != nullptr ? quantity_of(*found, key, dimension) : fallback;
+}
+
+double Section::positive(std::string const& key, Dimension const& dimension) const {
+  double const value = quantity(key, dimension);
+  if (!(value > 0)) {
+    throw error(key, fmt::format("{} {} is not positive", value, si_unit(dimension.exponents)),
+                fmt::format("give a {} > 0 such as \"{}\"", dimension.name, dimension.example));
+  }
+  return value;
+}
+
+long Section::integer(std::string const& key, long least, long most) const {
+  Node const& node = need(key, std::to_string(std::clamp(100L, least, most)));
+  auto const* value = std::get_if<long>(&node.value);
+  auto const remedy = fmt::format("give a whole number from {} to {}", least, most);
+  if (value == nullptr) {
+    throw error(key, fmt::format("is {}, not a whole number", node.type_name()), remedy);
+  }
+  if (*value < least || *value > most) {
+    throw error(key, fmt::format("{} is out of range", *value), remedy);
+  }
+  return *value;
+}
+
+bool Section::flag(std::string const& key, bool fallback) const {
+  Node const* found = node_->find(key);
+  if (found == nullptr) {
+    return fallback;
+  }
+  auto const* value = std::get_if<bool>(&found->value);
+  if (value == nullptr) {
+    throw error(key, fmt::format("is {}, not true or false", found->type_name()), "give true or false");
+  }
+  return *value;
+}
+
+std::string Section::text(std::string const& key) const {
+  Node const& node = need(key, "\"...\"");
+  auto const* value = std::get_if<std::string>(&node.value);
+  if (value == nullptr) {
+    throw error(key, fmt::format("is {}, not text", node.type_name()), "put it in quotes");
+  }
+  return *value;
+}
+
+std::string Section::text(std::string const& key, std::string const& fallback) const {
+  return has(key) ? text(key) : fallback;
+}
+
+std::size_t index_of_choice(Section const& where, std::string const& key, std::string const& name,
+                            std::vector<std::string> const& options) {
+  auto const found = std::find(options.begin(), options.end(), name);
+  if (found == options.end()) {
+    std::string const near = nearest_key(name, options);
+    throw where.error(key, fmt::format("unknown value '{}'", name),
+                      near.empty() ? fmt::format("choose among: {}", fmt::join(options, ", "))
+                                   : fmt::format("did you mean '{}'? (choices: {})", near, fmt::join(options, ", ")));
+  }
+  return static_cast<std::size_t>(found - options.begin());
+}
+
+std::size_t Section::choice(std::string const& key, std::vector<std::string> const& options,
+                            std::size_t fallback) const {
+  return has(key) ? index_of_choice(*this, key, text(key), options) : fallback;
+}
+
+std::vector<double> Section::quantities(std::string const& key, Dimension const& dimension) const {
+  Node const& node = need(key, fmt::format("[\"{}\"]", dimension.example));
+  auto const* list = std::get_if<Node::Array>(&node.value);
+  if (list == nullptr) {
+    throw error(key, fmt::format("is {}, not a list", node.type_name()),
+                fmt::format("write [\"{}\", ...]", dimension.example));
+  }
+  std::vector<double> out;
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    out.push_back(quantity_of((*list)[i], fmt::format("{}.{}", key, i), dimension));
+  }
+  return out;
+}
+
+std::array<double, 2> Section::interval(std::string const& key, Dimension const& dimension) const {
+  auto const ends = quantities(key, dimension);
+  if (ends.size() != 2) {
+    throw error(key, fmt::format("has {} entries", ends.size()), "give two: [start, end]");
+  }
+  if (!(ends[0] < ends[1])) {
+    throw error(key, "ends before it starts", "give [start, end] with start < end");
+  }
+  return {ends[0], ends[1]};
+}
+
+Section Section::table(std::string const& key, std::vector<std::string> known) const {
+  return {*reading_, need(key, "{ ... }"), full(key), std::move(known)};
+}
+
+std::vector<Section> Section::tables(std::string const& key, std::vector<std::string> const& known) const {
+  std::vector<Section> out;
+  Node const* found = node_->find(key);
+  if (found == nullptr) {
+    return out;
+  }
+  auto const* list = std::get_if<Node::Array>(&found->value);
+  if (list == nullptr) {
+    throw error(key, fmt::format("is {}, not a list of tables", found->type_name()),
+                fmt::format("write it in double brackets: [[{}]]", full(key)));
+  }
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    out.emplace_back(*reading_, (*list)[i], fmt::format("{}.{}", full(key), i), known);
+  }
+  return out;
+}
+
+}  // namespace g27
