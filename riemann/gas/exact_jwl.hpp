@@ -148,21 +148,22 @@ G27_INLINE V integral_by_ends(SoundSpeed<V> const& k, SoundSpeed<V> const& e, V 
 }
 inline constexpr double hermite_limit = 0.12;  // accurate below
 inline constexpr double hermite_start = 0.7;   // good enough below for the first steps of the iteration
-inline constexpr double panel = 0.7;
+inline constexpr double fine_panel = 0.7, coarse_panel = 3.0;
 
-/// Integral of c d ln v from the side's v to v e^h, h > 0: Gauss-Legendre, six nodes a panel, up to where the
-/// exponentials have vanished; then c follows v^(-omega/2).
+/// Integral of c d ln v from the side's v to v e^h, h > 0: Gauss-Legendre, six nodes a panel of at most the given
+/// width, up to where the exponentials have vanished; then c follows v^(-omega/2).
 template <Lane V>
-V integral_of_c(Jwl const& eos, Side<V> const& k, V h, Mask<V> wanted) noexcept {
+V integral_of_c(Jwl const& eos, Side<V> const& k, V h, V panel, Mask<V> wanted) noexcept {
   constexpr std::array<double, 3> node{0.2386191860831969, 0.6612093864662645, 0.9324695142031521};
   constexpr std::array<double, 3> weight{0.4679139345726910, 0.3607615730481386, 0.1713244923791704};
   double const slowest = eos.R1 < eos.R2 ? eos.R1 : eos.R2;
   V const reach = max(log(40.0 / (slowest * k.v)), 0.0);
   V const span = select(wanted, min(h, reach), 0.0);
-  double const longest = lane_max(span);
+  V const share = span / panel;
+  double const longest = lane_max(share);
   V panels(1.0);
   int count = 1;
-  for (; count < 1000 && count * panel < longest; ++count) panels = select(span > panel * count, panels + 1.0, panels);
+  for (; count < 1000 && count < longest; ++count) panels = select(share > V(double(count)), panels + 1.0, panels);
   V const wide = span / panels, thermal = (1.0 + eos.omega) * k.t;
   V sum(0.0);
   for (int i = 0; i < count && longest > 0.0; ++i) {
@@ -191,7 +192,8 @@ Point<V> rarefaction(Jwl const& eos, Side<V> const& k, V h, Mask<V> exact, Mask<
   V const Z = sqrt(eos.rho0 * s.D1);
   V f = -integral_by_ends(sound_speed(k.s, k.c), sound_speed(s, Z * v * (1.0 / eos.rho0)), h);
   Mask<V> const quadrature = wanted && (h > V(hermite_start) || (exact && h > V(hermite_limit)));
-  if (any(quadrature)) f = select(quadrature, -integral_of_c(eos, k, h, quadrature), f);
+  if (any(quadrature))
+    f = select(quadrature, -integral_of_c(eos, k, h, select(exact, V(fine_panel), coarse_panel), quadrature), f);
   return {s.p, v, f, 1.0 / Z, 0.5 * s.D2 / (s.D1 * s.D1), s.D1};
 }
 
@@ -258,15 +260,18 @@ Star<V> strong_star(Jwl const& eos, Side<V> const& l, Side<V> const& r, Mask<V> 
   V const zero(0.0);
   Point<V> at_l{l.p, l.v, zero, l.inv_Z, 0.5 * l.alpha, l.s.D1}, at_r{r.p, r.v, zero, r.inv_Z, 0.5 * r.alpha, r.s.D1};
   Star<V> s{p, at_l, at_r, !active};
+  V below(1e-200), above(1e200);
   Mask<V> exact(false);
   for (int i = 0; i < limit; ++i) {
     at_l = advance(eos, l, at_l, p, exact, !s.converged);
     at_r = advance(eos, r, at_r, p, exact, !s.converged);
-    V const d_l = p - at_l.p, d_r = p - at_r.p;
-    V const F = at_l.f + at_l.slope * d_l + at_r.f + at_r.slope * d_r + du;
-    V const S = at_l.slope + at_r.slope, G = p * S, newton = -F / G;
+    // the waves stand at nearly equal pressures, not yet at the one asked for
+    V const S = at_l.slope + at_r.slope;
+    p = (at_l.slope * at_l.p + at_r.slope * at_r.p) / S;
+    V const d_l = p - at_l.p, d_r = p - at_r.p, gap = max(abs(d_l), abs(d_r));
+    V const F = at_l.f + at_l.slope * d_l + at_r.f + at_r.slope * d_r + du, newton = -F / (p * S);
     V const bend = p * (at_l.slope * at_l.bend + at_r.slope * at_r.bend) / S;
-    V const off = max(abs(newton), max(abs(d_l), abs(d_r)) / p);
+    V const off = max(abs(newton), gap / p);
     V const next = p * (1.0 + newton / (1.0 - 0.5 * bend * newton));
 
     auto const ready = !s.converged && exact && off < close;
@@ -279,10 +284,14 @@ Star<V> strong_star(Jwl const& eos, Side<V> const& l, Side<V> const& r, Mask<V> 
 
     V after = next;
     if (auto const far = !(abs(newton) < 0.1) && !s.converged; any(far)) {
-      // F is nearly linear in p^(1 - bend); above the root of F that power, below it the square root
+      // F is nearly linear in p^(1 - bend); its sign bounds the root
       V const power = max(min(1.0 - bend, 0.5), 0.05), base = max(1.0 + power * newton, 0.05);
       V const root = min(1.0 + 0.5 * newton, 30.0);
-      after = select(far, p * select(newton > V(0.0), root * root, pow(base, V(1.0 / power))), after);
+      V const step = p * select(newton > V(0.0), root * root, pow(base, V(1.0 / power)));
+      auto const sure = gap < 0.1 * p;
+      above = select(sure && newton < V(0.0), min(above, p), above);
+      below = select(sure && newton > V(0.0), max(below, p), below);
+      after = select(far, select(step > below && step < above, step, sqrt(below) * sqrt(above)), after);
     }
     p = after;
   }
@@ -292,7 +301,7 @@ Star<V> strong_star(Jwl const& eos, Side<V> const& l, Side<V> const& r, Mask<V> 
 /// Velocity that an expansion to the vacuum adds.
 template <Lane V>
 V escape_speed(Jwl const& eos, Side<V> const& k, Mask<V> wanted) noexcept {
-  return integral_of_c(eos, k, V(1e6), wanted);
+  return integral_of_c(eos, k, V(1e6), V(fine_panel), wanted);
 }
 
 /// The fan at x/t = 0 of a wave that runs to the left: u = c. Newton in ln v from the undisturbed state, one-sided.
