@@ -97,6 +97,7 @@ std::vector<GasRiemann> patterns() {
   out.emplace_back(products, GasState<>{1600, 900, 8e9}, products, GasState<>{1700, -900, 11e9});
   out.emplace_back(aluminium, GasState<>{3300, -400, 3e10}, aluminium, GasState<>{2790, 500, 1e5});
   out.emplace_back(aluminium, GasState<>{2790, -5000, 1e5}, aluminium, GasState<>{2790, 500, 1e5});
+  out.emplace_back(aluminium, GasState<>{2600, -10, -3e9}, air, GasState<>{1.2, 40, 1e5});
   out.emplace_back(aluminium, GasState<>{2790, 700, 1e5}, water, GasState<>{1000, 0, 1e5});
   return out;
 }

@@ -59,7 +59,9 @@ GasRiemann::GasRiemann(ExactEos const& eos_l, GasState<> const& left, ExactEos c
   if (vacuum_) {
     p_star_ = lowest;
   } else {
-    double hi = std::max(l.state.p, r.state.p), lo = std::min(l.state.p, r.state.p);
+    // One side may be in tension below what the other can bear.
+    double hi = std::max(l.state.p, r.state.p), lo = std::max(std::min(l.state.p, r.state.p), lowest);
+    if (lo == lowest) lo = hi;
     for (double step = hi - lowest; excess(hi) < 0; step *= 2) {
       lo = hi;
       hi += step;
@@ -70,7 +72,10 @@ GasRiemann::GasRiemann(ExactEos const& eos_l, GasState<> const& left, ExactEos c
     }
     // The logarithm resolves star pressures far below those of both sides.
     auto of_log = [&](double y) { return excess(lowest + std::exp(y)); };
-    p_star_ = lo == hi ? lo : lowest + std::exp(find_root(of_log, std::log(lo - lowest), std::log(hi - lowest)));
+    // Widened by round-off, for a jump that is no more than that.
+    p_star_ = lo == hi
+                  ? lo
+                  : lowest + std::exp(find_root(of_log, std::log(lo - lowest) - 1e-13, std::log(hi - lowest) + 1e-13));
   }
   finish(0, p_star_);
   finish(1, p_star_);
