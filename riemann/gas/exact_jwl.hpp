@@ -4,7 +4,7 @@
 /// v = rho0/rho, t = p - a - b with a = A exp(-R1 v), b = B exp(-R2 v). Along an isentrope, D1 = -dp/dv, D2 = d2p/dv2,
 /// D3 = -d3p/dv3; Z = sqrt(rho0 D1) = rho c. With x = p - p_K a wave curve is f_K(p) = |u* - u_K|. Levels:
 ///   dilute   both exponentials vanish on either side of both waves: the ideal gas of gamma = 1 + omega
-///   weak     |x| < 0.02 D1 v: f to third order in x and one Newton step
+///   weak     |x| < 0.017 D1 v: f to third order in x and one Newton step
 ///   strong   each wave by its own v: Hugoniot relation, or f = -integral of c dln v by Gauss-Legendre panels
 /// Masks choose the level lane by lane; any() only skips what no lane needs, so that mates never change a result.
 #include <array>
@@ -18,7 +18,7 @@ namespace g27 {
 
 namespace jwl {
 
-inline constexpr double weak_limit = 0.02;  // at 0.035 the neglected fourth order reaches 4e-6 of p
+inline constexpr double weak_limit = 0.017;  // neglected fourth order: 7e-7 of p
 
 /// A point of an isentrope and the derivatives of its p(v).
 template <Lane V>
