@@ -110,7 +110,7 @@ struct Jwl {
     V const v = rho0 / rho;
     double const fast = R1 > R2 ? R1 : R2, slow = R1 > R2 ? R2 : R1;
     // beyond, the faster exponential is so small that the coarser step resolves it
-    return min(1.6 / (select(fast * v < V(25.0), V(fast), V(slow)) * v), 0.8);
+    return min(1.2 / (select(fast * v < V(25.0), V(fast), V(slow)) * v), 0.8);
   }
   /// Specific volume [m^3/kg] that shocks from rho approach as their strength grows.
   template <Lane V>

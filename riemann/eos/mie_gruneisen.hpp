@@ -74,21 +74,19 @@ struct MieGruneisen {
   template <Lane V>
   [[nodiscard]] G27_INLINE V cold_pressure(V rho) const noexcept {
     V const eta = 1.0 - rho0 / rho;
-    V const compressed = compressed_pressure(max(eta, 0.0)) + Gamma0 * compressed_energy(max(eta, 0.0));
-    return select(eta > V(0.0), compressed, tension(eta) + vacuum_pressure());
+    return select(eta > V(0.0), compressed_pressure(eta), tension(eta) + vacuum_pressure());
   }
   /// Energy [J/kg] on that isentrope.
   template <Lane V>
   [[nodiscard]] G27_INLINE V cold_energy(V rho) const noexcept {
     V const eta = 1.0 - rho0 / rho;
-    return select(eta > V(0.0), compressed_energy(max(eta, 0.0)), expanded_energy(min(eta, 0.0))) * (1.0 / rho0);
+    return select(eta > V(0.0), compressed_energy(eta), expanded_energy(min(eta, 0.0))) * (1.0 / rho0);
   }
   /// cold_pressure - vacuum_pressure, without cancellation as rho -> 0.
   template <Lane V>
   [[nodiscard]] G27_INLINE V cold_excess(V rho) const noexcept {
     V const eta = 1.0 - rho0 / rho;
-    V const compressed = compressed_pressure(max(eta, 0.0)) + Gamma0 * compressed_energy(max(eta, 0.0));
-    return select(eta > V(0.0), compressed - vacuum_pressure(), tension(eta));
+    return select(eta > V(0.0), compressed_pressure(eta) - vacuum_pressure(), tension(eta));
   }
   /// Bulk modulus [Pa] of (rho, t).
   template <Lane V>
@@ -122,7 +120,7 @@ struct MieGruneisen {
   [[nodiscard]] G27_INLINE V smooth_step(V rho) const noexcept {
     V const v = rho0 / rho, pole = v - (1.0 - 1.0 / s);
     V const to_origin = select(v < V(1.0), log(1.0 / min(v, 1.0)), V(1.0));
-    V const smooth = min(select(v < V(1.0), 0.6 * pole, V(1.0)), 0.4 / s) / v;
+    V const smooth = min(select(v < V(1.0), 0.45 * pole, V(1.0)), 0.3 / s) / v;
     // a sliver that would be left before eta = 0 is taken with the last step
     return select(to_origin < 1.001 * smooth, max(to_origin, 1e-9), smooth);
   }
@@ -164,17 +162,21 @@ struct MieGruneisen {
     return (tension(eta) + vacuum_pressure()) * (1.0 / (4.0 * s)) + vacuum_pressure() * eta;
   }
 
+  /// Compression, eta > 0 (elsewhere of no meaning): p_c = F + Gamma0 rho0 e_c.
   template <Lane V>
   [[nodiscard]] G27_INLINE V compressed_pressure(V eta) const noexcept {
-    V const z = 1.0 / (1.0 - s * eta);
-    return bulk_modulus_0() * z * z * eta * (1.0 - 0.5 * Gamma0 * eta);
+    V const x = max(eta, 0.0), z = 1.0 / (1.0 - s * x);
+    return bulk_modulus_0() * z * z * x * (1.0 - 0.5 * Gamma0 * x) + Gamma0 * compressed_energy(x);
   }
   /// rho0 e_c = exp(Gamma0 eta) int_0^eta F(x) exp(-Gamma0 x) dx in closed form: with X = Gamma0/s, z = 1 - s eta,
   /// F is a quadratic in z over z^2, and int_z^1 exp(X y)/y dy = S(X) - S(X z) - ln z, S(y) = sum y^k/(k k!).
   template <Lane V>
   [[nodiscard]] G27_INLINE V compressed_energy(V eta) const noexcept {
+    if (!any(eta > V(0.0))) {
+      return V(0.0);
+    }
     double const X = Gamma0 / s;
-    V const z = max(1.0 - s * eta, 1e-12);
+    V const z = max(1.0 - s * max(eta, 0.0), 1e-12);
     V const growth = exp(X * (1.0 - z));
     V const integral = series(V(X)) - series(X * z) - log(z);
     return (bulk_modulus_0() / (s * s)) *

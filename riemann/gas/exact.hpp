@@ -69,7 +69,7 @@ G27_INLINE V newton(V m, V f, V rate, V kink, double fan_power, V low, V high, M
   V const base = 1.0 - fan_power * f / slope;
   V const by_fan = m * pow(V(max(base, 1e-30)), V(1.0 / fan_power));
   V const next = select(root > V(0.0) && (by_shock > kink || f < V(0.0)), by_shock, by_fan);
-  return select(!bisect && next > low && next < high, next, middle);
+  return select(!bisect && next >= low && next <= high, next, middle);
 }
 
 template <Lane V, EquationOfState L, EquationOfState R>

@@ -32,6 +32,8 @@ struct WavePoint {
 
 /// Weak waves, |dp| < 1e-6 K, agree in both families up to third order: the series is exact to round-off.
 inline constexpr double weak_wave = 1e-6;
+/// A Newton step below this, over the unknown, is the last.
+inline constexpr double newton_tolerance = 1e-10;
 
 /// Ideal and stiffened gas.
 template <Lane V, EquationOfState E>
@@ -142,7 +144,7 @@ class ThermalCurve {
       V const G = eos_->fundamental_derivative(rho, eos_->cold_excess(rho) + t + eos_->vacuum_pressure());
       V next = rho * exp(max(h / (c * G), -60.0));
       next = select(next >= low && next <= high, next, sqrt(low) * sqrt(high));
-      open = open && abs(h) > 1e-15 * (abs(u) + c_) && abs(next - rho) > 2e-16 * rho;
+      open = open && abs(h) > 1e-14 * (abs(u) + c_) && abs(next - rho) > 2e-16 * rho;
       rho = select(open, next, rho);
     }
     return point;
@@ -165,9 +167,10 @@ class ThermalCurve {
     V const range = v_ - limit_;
     V const e_t = t_ * v_ / eos_->gruneisen(rho_), e_c = eos_->cold_energy(rho_);
     V y = log(1.0 + (q - q_) * v_ / (range * K_));
-    V low(0.0), high(700.0), v = v_, strain = range, slope = V(1.0);
+    V low(0.0), high(700.0), slope(1.0);
+    V last(1e300), before_last(1e300);  // steps; bisect where two have not halved them
     Mask<V> open = active;
-    for (int i = 0; i < 60 && any(open); ++i) {
+    for (int i = 0; i < 100 && any(open); ++i) {
       V const shrink = exp(-y);
       V const v_new = limit_ + range * shrink, delta = range * (1.0 - shrink);
       V const rho = 1.0 / v_new, gamma = eos_->gruneisen(rho);
@@ -177,18 +180,22 @@ class ThermalCurve {
       V const t = gamma * (e_t + (e_c - eos_->cold_energy(rho)) + 0.5 * p_sum * delta) / half;
       V const q_new = cold + t;
       V const steep = (eos_->bulk_modulus_thermal(rho, t) - 0.5 * gamma * (q_new - q_)) / half;  // -(dp/dv)_H
-      v = select(open, v_new, v);
-      strain = select(open, delta, strain);
       slope = select(open, steep, slope);
       Mask<V> const above = q_new > q;
       high = select(open && above, y, high);
       low = select(open && !above, y, low);
       V const step = log(max(q_new, 1e-12 * q_) / q) * q_new / (steep * range * shrink);
       V next = y - step;
-      next = select(next > low && next < high, next, 0.5 * (low + high));
-      open = open && abs(next - y) * range * shrink > 1e-16 * v_new && high - low > 2e-16 * high;
+      V const middle = select(high < V(700.0), 0.5 * (low + high), low + 2.0);
+      // the last step, too, is taken: it squares what is left
+      Mask<V> const close = abs(step) * range * shrink < newton_tolerance * v_new;
+      Mask<V> const inside = next >= low && next <= high && abs(step) <= 0.5 * before_last;
+      next = select(close || inside, next, middle);
+      before_last = last, last = abs(step);
       y = select(open, next, y);
+      open = open && !close;
     }
+    V const shrink = exp(-y), strain = range * (1.0 - shrink), v = limit_ + range * shrink;
     V const dp = q - q_;
     V const jump = sqrt(V(dp * strain));
     return {1.0 / v, jump, 0.5 * (jump / dp + dp / (jump * slope))};
@@ -204,25 +211,27 @@ class ThermalCurve {
       V const q_new = eos_->cold_excess(rho) + t;
       V const step = log(q_new / q) * q_new / (eos_->bulk_modulus_thermal(rho, t) * rho);
       V const next = max(v + step * (rho * v), v_);
-      open = open && abs(next - v) > 4e-16 * v;
+      Mask<V> const more = abs(next - v) > newton_tolerance * v;
       v = select(open, next, v);
+      open = open && more;
     }
     V const rho = 1.0 / v;
-    V const c = sqrt(V(eos_->bulk_modulus_thermal(rho, thermal_at(rho)) * v));
-    return {rho, -gain_to(rho, active), 1.0 / (rho * c)};
+    return {rho, -gain_to(rho, active), 1.0 / (rho * speed(rho))};
   }
 
   /// Integral of c d(ln rho) from rho up to the density ahead, built on the last one known.
   [[nodiscard]] V gain_to(V rho, Mask<V> active) noexcept {
-    Reach const r = reach(max(rho, known_rho_), min(rho, known_rho_), active);
-    V const rest = eos_->thermal_escape(r.rho, r.c) - eos_->thermal_escape(rho, tail_speed(rho));
-    V const part = r.gain + select(r.rho > min(rho, known_rho_), rest, V(0.0));
+    V const lower = min(rho, known_rho_);
+    Reach const r = reach(max(rho, known_rho_), lower, active);
+    V const rest = eos_->thermal_escape(r.rho, r.c) - eos_->thermal_escape(lower, speed(lower));
+    V const part = r.gain + select(r.rho > lower, rest, V(0.0));
     V const gain = known_gain_ + select(rho < known_rho_, part, -part);
     known_gain_ = select(active, gain, known_gain_);
     known_rho_ = select(active, rho, known_rho_);
     return known_gain_;
   }
-  [[nodiscard]] G27_INLINE V tail_speed(V rho) const noexcept {
+  /// Sound speed on the isentrope through the state ahead.
+  [[nodiscard]] G27_INLINE V speed(V rho) const noexcept {
     return sqrt(V(eos_->bulk_modulus_thermal(rho, thermal_at(rho)) / rho));
   }
 
@@ -246,13 +255,13 @@ class ThermalCurve {
       V sum(0.0);
       for (std::size_t i = 0; i < node.size(); ++i) {
         V const stretch = exp(h * node[i]);
-        sum += weight[i] * (tail_speed(V(middle * stretch)) + tail_speed(V(middle / stretch)));
+        sum += weight[i] * (speed(V(middle * stretch)) + speed(V(middle / stretch)));
       }
       gain = select(open, gain + h * sum, gain);
       rho = select(open, next, rho);
       open = open && rho > lower;
     }
-    return {rho, tail_speed(rho), gain};
+    return {rho, speed(rho), gain};
   }
 
   E const* eos_;
