@@ -170,8 +170,9 @@ struct MieGruneisen {
   }
   /// rho0 e_c = exp(Gamma0 eta) int_0^eta F(x) exp(-Gamma0 x) dx in closed form: with X = Gamma0/s, z = 1 - s eta,
   /// F is a quadratic in z over z^2, and int_z^1 exp(X y)/y dy = S(X) - S(X z) - ln z, S(y) = sum y^k/(k k!).
+  /// Out of line: long, and called from many places of the exact solver.
   template <Lane V>
-  [[nodiscard]] G27_INLINE V compressed_energy(V eta) const noexcept {
+  [[nodiscard, gnu::noinline]] V compressed_energy(V eta) const noexcept {
     if (!any(eta > V(0.0))) {
       return V(0.0);
     }

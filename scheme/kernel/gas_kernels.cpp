@@ -5,10 +5,12 @@
 
 namespace g27 {
 
-// Each kernel object defines gas_kernel_table() in the namespace of its instruction set.
-#define G27_FOR_ISA(isa)                         \
-  namespace isa {                                \
-  GasKernels const& gas_kernel_table() noexcept; \
+// The kernel objects define these in the namespace of their instruction set.
+#define G27_FOR_ISA(isa)                               \
+  namespace isa {                                      \
+  extern GasKernels::PredictTable const predict_table; \
+  template <class E>                                   \
+  EosKernels const& eos_kernels() noexcept;            \
   }
 G27_FOR_EACH_ISA
 #undef G27_FOR_ISA
@@ -27,8 +29,12 @@ bool runs_here([[maybe_unused]] std::string_view isa) noexcept {
 std::array<GasKernels const*, 8> find_runnable() noexcept {
   std::array<GasKernels const*, 8> tables{};
   std::size_t n = 0;
-#define G27_FOR_ISA(isa) \
-  if (runs_here(#isa)) tables[n++] = &isa::gas_kernel_table();
+  // one table an instruction set, the laws in the order of the registry
+#define G27_FOR_ISA(isa)                                                                                               \
+  static GasKernels const isa##_table{#isa, &isa::predict_table, []<class... E>(std::variant<E...> const*) {           \
+                                        return std::array<EosKernels const*, sizeof...(E)>{&isa::eos_kernels<E>()...}; \
+                                      }(static_cast<AnyEos const*>(nullptr))};                                         \
+  if (runs_here(#isa)) tables[n++] = &isa##_table;
   G27_FOR_EACH_ISA
 #undef G27_FOR_ISA
   return tables;

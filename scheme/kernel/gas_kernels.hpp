@@ -77,17 +77,24 @@ struct UpdateArguments {
   double rate;   ///< out: largest (|u| + c)/h of the new state [1/s]
 };
 
-struct GasKernels {
-  char const* isa;
-  std::size_t width;
-  using Predict = void (*)(PredictArguments const&);
+/// What depends on the equation of state.
+struct EosKernels {
   using Solve = void (*)(SolveArguments&);
   using Primitive = void (*)(PrimitiveArguments const&);
   using Update = void (*)(UpdateArguments&);
-  std::array<std::array<Predict, 2>, static_cast<std::size_t>(PredictorKernel::count)> predict;  ///< [.][uniform mesh]
-  std::array<std::array<Solve, 3>, std::variant_size_v<AnyEos>> solve;  ///< [eos][RiemannSolver]
-  std::array<Primitive, std::variant_size_v<AnyEos>> primitive;
-  std::array<Update, std::variant_size_v<AnyEos>> update;
+  std::array<Solve, 3> solve;  ///< [RiemannSolver]
+  Primitive primitive;
+  Update update;
+};
+
+struct GasKernels {
+  using Predict = void (*)(PredictArguments const&);
+  using PredictRow = std::array<Predict, 2>;  ///< [uniform fixed mesh]
+  using PredictTable = std::array<PredictRow, static_cast<std::size_t>(PredictorKernel::count)>;
+
+  char const* isa;
+  PredictTable const* predict;
+  std::array<EosKernels const*, std::variant_size_v<AnyEos>> eos;  ///< [index of the law in AnyEos]
 };
 
 /// Tables that this machine can run, the best last.

@@ -1,8 +1,8 @@
-# One binary for every x86-64: a kernel file is compiled once per instruction set, each copy in a namespace of its own
-# (G27_ISA), and selected at run time. Nothing but kernel files is compiled above the baseline.
+# One binary for every x86-64: a kernel file is compiled once per instruction set, each copy in a namespace of its
+# own (G27_ISA), and selected at run time. Nothing but kernel files is compiled above the baseline.
 
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
-  set(G27_ISAS x86_64 x86_64_v3 x86_64_v4)
+  set(G27_ISAS x86_64 x86_64_v3 x86_64_v4 CACHE STRING "instruction sets that the kernels are compiled for")
   set(G27_FLAGS_x86_64 "")
   set(G27_FLAGS_x86_64_v3 -march=x86-64-v3)
   set(G27_FLAGS_x86_64_v4 -march=x86-64-v4 -mprefer-vector-width=512)
@@ -11,17 +11,29 @@ else()
   set(G27_FLAGS_baseline "")
 endif()
 
+# The laws are read off the registry, so that a new one is compiled by its line there.
+file(STRINGS ${PROJECT_SOURCE_DIR}/riemann/eos/registry.hpp G27_EOS_LINE REGEX "EosList = TypeList<")
+string(REGEX REPLACE ".*TypeList<(.*)>;" "\\1" G27_EOS_NAMES "${G27_EOS_LINE}")
+string(REPLACE ", " ";" G27_EOS_NAMES "${G27_EOS_NAMES}")
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/riemann/eos/registry.hpp)
+
+function(g27_kernel_object target name isa)
+  add_library(${name} OBJECT ${ARGV3})
+  target_link_libraries(${name} PRIVATE g27_options)
+  target_compile_definitions(${name} PRIVATE G27_ISA=${isa} ${ARGV4})
+  # GCC 12 warns about its own AVX-512 intrinsics (GCC bug 105593).
+  target_compile_options(${name} PRIVATE ${G27_FLAGS_${isa}} -fno-exceptions -Wno-uninitialized -Wno-maybe-uninitialized)
+  target_sources(${target} PRIVATE $<TARGET_OBJECTS:${name}>)
+endfunction()
+
+# Compiles the kernels for every instruction set, eos_kernel.cpp once per law as well, into the library `target`.
 function(g27_isa_kernels target)
-  list(TRANSFORM ARGN PREPEND ${PROJECT_SOURCE_DIR}/)
-  file(GLOB kernels CONFIGURE_DEPENDS ${ARGN})
   foreach(isa ${G27_ISAS})
-    add_library(g27_kernel_${isa} OBJECT ${kernels})
-    target_link_libraries(g27_kernel_${isa} PRIVATE g27_options)
-    target_compile_definitions(g27_kernel_${isa} PRIVATE G27_ISA=${isa})
-    # GCC 12 warns about its own AVX-512 intrinsics (GCC bug 105593).
-    target_compile_options(g27_kernel_${isa} PRIVATE ${G27_FLAGS_${isa}} -fno-exceptions -Wno-uninitialized
-                                                     -Wno-maybe-uninitialized)
-    target_sources(${target} PRIVATE $<TARGET_OBJECTS:g27_kernel_${isa}>)
+    g27_kernel_object(${target} g27_predict_${isa} ${isa} ${PROJECT_SOURCE_DIR}/scheme/kernel/predict_kernel.cpp)
+    foreach(eos ${G27_EOS_NAMES})
+      g27_kernel_object(${target} g27_${eos}_${isa} ${isa} ${PROJECT_SOURCE_DIR}/scheme/kernel/eos_kernel.cpp
+                        G27_EOS=${eos})
+    endforeach()
     list(APPEND calls "G27_FOR_ISA(${isa})")
   endforeach()
   string(REPLACE ";" " " calls "${calls}")

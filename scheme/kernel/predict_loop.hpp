@@ -29,8 +29,9 @@ G27_INLINE void store_prediction(PredictArguments const& g, std::size_t f, FaceP
   }
 }
 
-template <class Predictor, bool uniform, bool increments, bool cell_feet, Lane V>
-void predict_row(PredictArguments const& g) noexcept {
+template <class Predictor, bool uniform, bool cell_feet, Lane V>
+void predict(PredictArguments const& g) noexcept {
+  bool const increments = g.inc_rho != nullptr;
   std::ptrdiff_t const n = static_cast<std::ptrdiff_t>(g.faces);
   V const h0(g.h[0]), pair0(g.inv_pair[0]), triple0(g.inv_triple[0]);
   Mask<V> const allow(g.linear_star);
@@ -50,6 +51,7 @@ void predict_row(PredictArguments const& g) noexcept {
                  .dt = V(g.dt),
                  .foot_shift = V(0.0),
                  .foot_factor = V(1.0),
+                 .incremented = increments,
                  .inc_a = {},
                  .inc_b = {}};
     if constexpr (!uniform) {
@@ -62,25 +64,17 @@ void predict_row(PredictArguments const& g) noexcept {
     if constexpr (cell_feet) {
       s.foot_shift = load<V>(g.foot_shift + f), s.foot_factor = load<V>(g.foot_factor + f);
     }
-    if constexpr (increments) s.inc_a = load_increment<V>(g, f), s.inc_b = load_increment<V>(g, f + 1);
-    FacePrediction<V> r = Predictor::template predict<increments>(s, g.exponent);
+    if (increments) s.inc_a = load_increment<V>(g, f), s.inc_b = load_increment<V>(g, f + 1);
+    FacePrediction<V> r = Predictor::predict(s, g.exponent);
     r.weak = r.weak && allow;
     store_prediction(g, static_cast<std::size_t>(f), r);
   }
 }
 
-template <class Predictor, bool uniform, Lane V, bool cell_feet = false>
-void predict(PredictArguments const& g) noexcept {
-  if (g.inc_rho != nullptr) {
-    predict_row<Predictor, uniform, true, cell_feet, V>(g);
-  } else {
-    predict_row<Predictor, uniform, false, cell_feet, V>(g);
-  }
-}
-
 /// MUSCL computes its edges once a cell: a pass over the cells, then one over the faces.
-template <bool uniform, bool increments, Lane V>
-void predict_row_muscl(PredictArguments const& g) noexcept {
+template <bool uniform, Lane V>
+void predict_muscl(PredictArguments const& g) noexcept {
+  bool const increments = g.inc_rho != nullptr;
   std::ptrdiff_t const n = static_cast<std::ptrdiff_t>(g.faces), step = static_cast<std::ptrdiff_t>(width<V>);
   V const h0(g.h[0]), pair0(g.inv_pair[0]), dt(g.dt);
   // Cell c lies between the faces c - 1 and c: it writes the left state of face c and the right state of face c - 1.
@@ -92,9 +86,9 @@ void predict_row_muscl(PredictArguments const& g) noexcept {
       w_r = load<V>(g.w + c), w_l = load<V>(g.w + c - 1);
     }
     GasState<V> inc{};
-    if constexpr (increments) inc = load_increment<V>(g, c);
-    Edges<V> const e = muscl_edges<increments>(load_cell<V>(g, c - 1), load_cell<V>(g, c), load_cell<V>(g, c + 1),
-                                               pair_m, pair_p, h, dt, w_l, w_r, inc);
+    if (increments) inc = load_increment<V>(g, c);
+    CellEdges<V> const e = muscl_edges(load_cell<V>(g, c - 1), load_cell<V>(g, c), load_cell<V>(g, c + 1), pair_m,
+                                       pair_p, h, dt, w_l, w_r, increments, inc);
     store(g.l_rho + c, e.right.rho), store(g.l_u + c, e.right.u), store(g.l_p + c, e.right.p);
     store(g.r_rho + c - 1, e.left.rho), store(g.r_u + c - 1, e.left.u), store(g.r_p + c - 1, e.left.p);
   }
@@ -109,15 +103,6 @@ void predict_row_muscl(PredictArguments const& g) noexcept {
     store(g.s_rho + f, star.state.rho), store(g.s_u + f, star.state.u), store(g.s_p + f, star.state.p);
     store(g.switched + f, V(0.0));
     store(g.strong + f, select(weak, V(0.0), V(1.0)));
-  }
-}
-
-template <bool uniform, Lane V>
-void predict_muscl(PredictArguments const& g) noexcept {
-  if (g.inc_rho != nullptr) {
-    predict_row_muscl<uniform, true, V>(g);
-  } else {
-    predict_row_muscl<uniform, false, V>(g);
   }
 }
 

@@ -5,7 +5,7 @@
 namespace g27 {
 
 struct GodunovPredictor {
-  template <bool Increments, Lane V>
+  template <Lane V>
   G27_INLINE static FacePrediction<V> predict(Stencil<V> const& s, double /*exponent*/) noexcept {
     GasState<V> const l = state(s.a), r = state(s.b);
     AcousticStar<V> const star = acoustic_star(l, r, 0.5 * (s.a.K + s.b.K), min(s.a.K, s.b.K), s.w);

@@ -10,7 +10,7 @@ namespace g27 {
 /// the face is computed for; otherwise from the face. `single_foot`: density at the acoustic feet as well.
 template <Switch kind, bool per_cell_feet = false, bool single_foot = false>
 struct LinearPredictor {
-  template <bool Increments, Lane V>
+  template <Lane V>
   G27_INLINE static FacePrediction<V> predict(Stencil<V> const& s, double exponent) noexcept {
     Cell<V> const &z = s.z, &a = s.a, &b = s.b, &y = s.y;
     V const x_f = s.h_a * s.pair_ab;  // the face between the centres, 0 at a, 1 at b
@@ -66,7 +66,7 @@ struct LinearPredictor {
     V rho_r = b.rho - phi_0 * (1.0 - x_0) * d_rho, pz_r = b.p - phi_0 * (1.0 - x_0) * d_p;
     if constexpr (single_foot) rho_l = left.rho, pz_l = left.p, rho_r = right.rho, pz_r = right.p;
 
-    if constexpr (Increments) {
+    if (s.incremented) {
       // entropy part of the increment to the density, the acoustic part with the pressure
       rho_l += s.inc_a.rho, pz_l += s.inc_a.p, left.u += s.inc_a.u, left.p += s.inc_a.p;
       rho_r += s.inc_b.rho, pz_r += s.inc_b.p, right.u += s.inc_b.u, right.p += s.inc_b.p;

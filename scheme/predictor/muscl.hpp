@@ -6,7 +6,7 @@ namespace g27 {
 
 /// A cell's two edge states after the half step, seen from faces moving at w_left and w_right.
 template <Lane V>
-struct Edges {
+struct CellEdges {
   GasState<V> left, right;
 };
 
@@ -18,9 +18,9 @@ G27_INLINE V van_leer(V a, V b) noexcept {
 }
 
 /// in m, c, p: cells i-1, i, i+1; pair_*: 1/(sum of widths) between them; h: width of c; inc: half-step increments.
-template <bool Increments, Lane V>
-G27_INLINE Edges<V> muscl_edges(Cell<V> const& m, Cell<V> const& c, Cell<V> const& p, V pair_m, V pair_p, V h, V dt,
-                                V w_left, V w_right, GasState<V> const& inc) noexcept {
+template <Lane V>
+G27_INLINE CellEdges<V> muscl_edges(Cell<V> const& m, Cell<V> const& c, Cell<V> const& p, V pair_m, V pair_p, V h, V dt,
+                                    V w_left, V w_right, bool incremented, GasState<V> const& inc) noexcept {
   V const to_left = 2.0 * pair_m, to_right = 2.0 * pair_p;
   V const s_rho = van_leer((c.rho - m.rho) * to_left, (p.rho - c.rho) * to_right);
   V const s_u = van_leer((c.u - m.u) * to_left, (p.u - c.u) * to_right);
@@ -30,7 +30,7 @@ G27_INLINE Edges<V> muscl_edges(Cell<V> const& m, Cell<V> const& c, Cell<V> cons
     V const v = c.u - w;
     GasState<V> e{c.rho + s_rho * x - t2 * (v * s_rho + c.rho * s_u), c.u + s_u * x - t2 * (v * s_u + s_p * inv_rho),
                   c.p + s_p * x - t2 * (v * s_p + c.K * s_u)};
-    if constexpr (Increments) e = {e.rho + inc.rho, e.u + inc.u, e.p + inc.p};
+    if (incremented) e = {e.rho + inc.rho, e.u + inc.u, e.p + inc.p};
     return e;
   };
   return {.left = edge(-0.5 * h, w_left), .right = edge(0.5 * h, w_right)};

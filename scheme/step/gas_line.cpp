@@ -74,7 +74,8 @@ struct GasLine::Impl {
   GasLineSetup setup;
   GasKernels const& kernels = gas_kernels();
   PredictorKernel predictor;
-  std::size_t eos_index, n;
+  EosKernels const& law;
+  std::size_t n;
   void const* eos;
   double exponent = 1.0;
   bool moving, curved, plain, cell_feet;
@@ -94,7 +95,7 @@ struct GasLine::Impl {
   explicit Impl(GasLineSetup s)
       : setup(std::move(s)),
         predictor(kernel_of(setup.options)),
-        eos_index(setup.eos.index()),
+        law(*kernels.eos[setup.eos.index()]),
         n(checked_cells(setup)),
         eos(std::visit([](auto const& e) -> void const* { return &e; }, setup.eos)),
         exponent(std::visit([](auto const& e) { return e.isentropic_exponent(); }, setup.eos)),
@@ -140,16 +141,16 @@ struct GasLine::Impl {
   // ---- state -------------------------------------------------------------------------------------------------------
 
   void primitives(GasCells& c, std::ptrdiff_t begin, std::size_t count) const noexcept {
-    kernels.primitive[eos_index]({.cells = count,
-                                  .eos = eos,
-                                  .mass = c.mass.data() + begin,
-                                  .momentum = c.momentum.data() + begin,
-                                  .energy = c.energy.data() + begin,
-                                  .rho = c.rho.data() + begin,
-                                  .u = c.u.data() + begin,
-                                  .p = c.p.data() + begin,
-                                  .K = c.K.data() + begin,
-                                  .margin = c.margin.data() + begin});
+    law.primitive({.cells = count,
+                   .eos = eos,
+                   .mass = c.mass.data() + begin,
+                   .momentum = c.momentum.data() + begin,
+                   .energy = c.energy.data() + begin,
+                   .rho = c.rho.data() + begin,
+                   .u = c.u.data() + begin,
+                   .p = c.p.data() + begin,
+                   .K = c.K.data() + begin,
+                   .margin = c.margin.data() + begin});
   }
 
   [[nodiscard]] double energy_density(GasState<> const& s) const noexcept {
@@ -295,7 +296,7 @@ struct GasLine::Impl {
                              .s_p = b.s_p.data(),
                              .switched = b.switched.data(),
                              .strong = b.strong.data()};
-    kernels.predict[static_cast<std::size_t>(run.predictor)][line.uniform() ? 1 : 0](g);
+    (*kernels.predict)[static_cast<std::size_t>(run.predictor)][line.uniform() ? 1 : 0](g);
   }
 
   std::size_t solve(std::ptrdiff_t f, std::size_t count, FaceProblems& b, GasFaces& out,
@@ -325,7 +326,7 @@ struct GasLine::Impl {
                      .face_p = out.p.data() + to,
                      .face_u = out.u.data() + to,
                      .failures = 0};
-    kernels.solve[eos_index][static_cast<std::size_t>(setup.options.riemann)](g);
+    law.solve[static_cast<std::size_t>(setup.options.riemann)](g);
     return g.failures;
   }
 
@@ -434,7 +435,7 @@ struct GasLine::Impl {
                       .margin = out.margin.data() + to,
                       .worst = 1.0,
                       .rate = 0.0};
-    kernels.update[eos_index](g);
+    law.update(g);
     return {g.worst, g.rate};
   }
 

@@ -1,0 +1,22 @@
+/// What depends on the equation of state, of one instruction set and one law (G27_EOS, see isa.cmake).
+#include "scheme/kernel/solve_loop.hpp"
+#include "scheme/kernel/update_loop.hpp"
+
+namespace g27 {
+namespace G27_ISA {
+
+template <class E>
+EosKernels const& eos_kernels() noexcept;
+
+template <>
+EosKernels const& eos_kernels<G27_EOS>() noexcept {
+  static constexpr EosKernels table{
+      .solve = {&solve<RiemannSolver::fast, G27_EOS, Simd>, &solve<RiemannSolver::exact, G27_EOS, Simd>,
+                &solve<RiemannSolver::hllc, G27_EOS, Simd>},
+      .primitive = &primitive<G27_EOS, Simd>,
+      .update = &update<G27_EOS, Simd>};
+  return table;
+}
+
+}  // namespace G27_ISA
+}  // namespace g27
