@@ -3,8 +3,8 @@
 ///
 /// v = rho0/rho, t = p - a - b with a = A exp(-R1 v), b = B exp(-R2 v). Along an isentrope, D1 = -dp/dv, D2 = d2p/dv2,
 /// D3 = -d3p/dv3; Z = sqrt(rho0 D1) = rho c. With x = p - p_K a wave curve is f_K(p) = |u* - u_K|. Levels:
+///   weak     |x| < 0.017 D1 v on both sides: f to third order in x and one Newton step
 ///   dilute   both exponentials vanish on either side of both waves: the ideal gas of gamma = 1 + omega
-///   weak     |x| < 0.017 D1 v: f to third order in x and one Newton step
 ///   strong   each wave by its own v: Hugoniot relation, or f = -integral of c dln v by Gauss-Legendre panels
 /// Masks choose the level lane by lane; any() only skips what no lane needs, so that mates never change a result.
 #include <array>
@@ -251,7 +251,7 @@ G27_INLINE Point<V> moved(Point<V> const& a, V p) noexcept {
 template <Lane V>
 Star<V> strong_star(Jwl const& eos, Side<V> const& l, Side<V> const& r, Mask<V> active) noexcept {
   constexpr int limit = 60;
-  constexpr double close = 1e-4;  // relative: what remains is of second order
+  constexpr double close = 5e-4;  // relative: what remains is of third order, of second in a shock
   constexpr double near = 0.03;   // from here on the integrals are worth their cost
   V const du = r.u - l.u;
   V const acoustic = acoustic_pressure(l, r, V(1.0 / (l.Z + r.Z)));
@@ -373,34 +373,38 @@ FaceSolution<V> vacuum_face(Jwl const& eos, Side<V> const& l, Side<V> const& r, 
           wanted};
 }
 
-/// Any two states that are not both dilute.
+/// Lanes whose states on either side of both waves have no share of the exponentials, solved as an ideal gas.
 template <Lane V>
-FaceSolution<V> dense_face(Jwl const& eos, GasState<V> const& left, GasState<V> const& right, Mask<V> active) noexcept {
-  Side<V> l, r;
-  sides(eos, left, right, l, r);
-  Star<V> s = weak_star(l, r);
-  Mask<V> const strong = active && !s.converged;
-  V front_l(0.0), front_r(0.0);
-  Mask<V> vacuum(false);
-  if (any(strong)) {
-    vacuum = strong && r.u - l.u > 0.5 * (l.c + r.c);
-    if (any(vacuum)) {
-      front_l = l.u + escape_speed(eos, l, vacuum);
-      front_r = r.u - escape_speed(eos, r, vacuum);
-      vacuum = vacuum && front_r - front_l >= -1e-6 * (l.c + r.c);
-    }
-    Star<V> const w = strong_star(eos, l, r, strong && !vacuum);
-    s = {select(strong, w.p, s.p), select_point(strong, w.l, s.l), select_point(strong, w.r, s.r),
-         s.converged || (strong && w.converged)};
+FaceSolution<V> dilute_face(Jwl const& eos, GasState<V> const& l, GasState<V> const& r, Mask<V> wanted) noexcept {
+  double const w = eos.omega, v = 40.0 / (eos.R1 < eos.R2 ? eos.R1 : eos.R2), densest = eos.rho0 / v;
+  double const floor = 4e9 * (eos.A * exp(-eos.R1 * v) + eos.B * exp(-eos.R2 * v));  // the cold part is 1e-8 of it
+  Mask<V> const thin = wanted && max(l.rho, r.rho) < V(densest) && min(l.p, r.p) > V(floor);
+  FaceSolution<V> s = ideal::face(1.0 + w, 0.0, l, r, thin);
+  auto const stays = [&](GasState<V> const& k) G27_INLINE_LAMBDA {
+    return k.rho * ((2.0 + w) * s.p_star + w * k.p) < densest * (w * s.p_star + (2.0 + w) * k.p);
+  };
+  s.converged = thin && s.converged && stays(l) && stays(r);
+  return s;
+}
+
+/// Lanes with a strong wave: their star states replace those of s, or the whole solution is returned.
+template <Lane V>
+FaceSolution<V> strong_face(Jwl const& eos, GasState<V> const& left, GasState<V> const& right, Side<V> const& l,
+                            Side<V> const& r, Mask<V> wanted, Star<V>& s) noexcept {
+  FaceSolution<V> solution = dilute_face(eos, left, right, wanted);
+  Mask<V> const strong = wanted && !solution.converged;
+  Mask<V> vacuum = strong && r.u - l.u > 0.5 * (l.c + r.c);
+  if (any(vacuum)) {
+    V const front_l = l.u + escape_speed(eos, l, vacuum), front_r = r.u - escape_speed(eos, r, vacuum);
+    vacuum = vacuum && front_r - front_l >= -1e-6 * (l.c + r.c);
+    if (any(vacuum)) solution = choose(vacuum, vacuum_face(eos, l, r, front_l, front_r, vacuum), solution);
   }
-  V const u_star = 0.5 * ((l.u + r.u) + (s.r.f - s.l.f));
-  auto const is_left = u_star >= V(0.0);
-  GasState<V> f = sample_side(eos, select_side(is_left, l, r), select_point(is_left, s.l, s.r), abs(u_star),
-                              active && s.converged && !vacuum);
-  f.u = select(is_left, f.u, -f.u);
-  FaceSolution<V> const solution{f, s.p, u_star, s.converged};
-  if (!any(vacuum)) return solution;
-  return choose(vacuum, vacuum_face(eos, l, r, front_l, front_r, vacuum), solution);
+  if (Mask<V> const finite = strong && !vacuum; any(finite)) {
+    Star<V> const w = strong_star(eos, l, r, finite);
+    s = {select(finite, w.p, s.p), select_point(finite, w.l, s.l), select_point(finite, w.r, s.r),
+         s.converged || (finite && w.converged)};
+  }
+  return solution;
 }
 
 }  // namespace jwl
@@ -408,20 +412,24 @@ FaceSolution<V> dense_face(Jwl const& eos, GasState<V> const& left, GasState<V> 
 /// Exact solution at the face. Needs rho > 0 and t > 0 on both sides; lanes that are not active may hold any bits.
 /// Star state to 1e-6 relative (3e-6 at pressure ratios above 1000), jumps below 1 % to 1e-7.
 template <Lane V>
-[[nodiscard]] FaceSolution<V> fast_face(Jwl const& eos, GasState<V> const& l, GasState<V> const& r,
+[[nodiscard]] FaceSolution<V> fast_face(Jwl const& eos, GasState<V> const& left, GasState<V> const& right,
                                         Mask<V> active) noexcept {
-  double const slowest = eos.R1 < eos.R2 ? eos.R1 : eos.R2, v = 40.0 / slowest, densest = eos.rho0 / v;
-  double const floor = 4e9 * (eos.A * exp(-eos.R1 * v) + eos.B * exp(-eos.R2 * v));  // the cold part is 1e-8 of it
-  Mask<V> dilute = active && max(l.rho, r.rho) < densest && min(l.p, r.p) > floor;
-  if (!any(dilute)) return jwl::dense_face(eos, l, r, active);
-  FaceSolution<V> const ideal = ideal::face(1.0 + eos.omega, 0.0, l, r, dilute);
-  auto const stays = [&](GasState<V> const& k) G27_INLINE_LAMBDA {
-    double const g = eos.omega;
-    return k.rho * ((2.0 + g) * ideal.p_star + g * k.p) < densest * (g * ideal.p_star + (2.0 + g) * k.p);
-  };
-  dilute = dilute && ideal.converged && stays(l) && stays(r);
-  if (all(dilute || !active)) return ideal;
-  return jwl::choose(dilute, ideal, jwl::dense_face(eos, l, r, active && !dilute));
+  jwl::Side<V> l, r;
+  jwl::sides(eos, left, right, l, r);
+  jwl::Star<V> s = jwl::weak_star(l, r);
+  FaceSolution<V> other{};
+  Mask<V> done(false);
+  if (Mask<V> const strong = active && !s.converged; any(strong)) {
+    other = jwl::strong_face(eos, left, right, l, r, strong, s);
+    done = strong && other.converged;
+  }
+  V const u_star = 0.5 * ((l.u + r.u) + (s.r.f - s.l.f));
+  auto const is_left = u_star >= V(0.0);
+  GasState<V> f = jwl::sample_side(eos, jwl::select_side(is_left, l, r), jwl::select_point(is_left, s.l, s.r),
+                                   abs(u_star), active && s.converged && !done);
+  f.u = select(is_left, f.u, -f.u);
+  FaceSolution<V> const solution{f, s.p, u_star, s.converged};
+  return any(done) ? jwl::choose(done, other, solution) : solution;
 }
 
 }  // namespace g27
