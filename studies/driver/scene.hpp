@@ -48,6 +48,7 @@ struct Expectation {
   std::string unit;                           ///< in which it was written
   double unit_si = 1;                         ///< SI value of that unit
   std::string source;
+  bool judged = true;  ///< false: shown beside the measured values, no verdict
 };
 
 struct Scene {

@@ -10,6 +10,8 @@
 namespace g27 {
 namespace {
 
+std::vector<std::string> const output_keys{"snapshots", "every", "threshold", "probe", "map"};
+
 std::string unit_of(Node const& node) {
   auto const* text = std::get_if<std::string>(&node.value);
   if (text == nullptr) {
@@ -21,8 +23,7 @@ std::string unit_of(Node const& node) {
 
 /// "5 %" is relative to the value; anything else has the value's dimension.
 double read_tolerance(Section const& section, Dimension const& dimension, double value) {
-  Node const& node = section.need("tolerance", "\"1 %\"");
-  auto const* text = std::get_if<std::string>(&node.value);
+  auto const* text = std::get_if<std::string>(&section.need("tolerance", "\"1 %\"").value);
   bool const relative = text != nullptr && text->find('%') != std::string::npos;
   double const tolerance = relative ? section.quantity("tolerance", dimension::number) * std::fabs(value)
                                     : section.quantity("tolerance", dimension);
@@ -30,6 +31,101 @@ double read_tolerance(Section const& section, Dimension const& dimension, double
     throw section.error("tolerance", "is not positive", "give \"1 %\" or an amount in the value's unit");
   }
   return tolerance;
+}
+
+/// A list for `value` stands for as many expectations: the other lists run along with it, single entries are shared.
+std::vector<Node> spread(Section const& section) {
+  auto const& entries = std::get<Node::Table>(section.node().value);
+  auto const length = [](Node const& node) {
+    auto const* list = std::get_if<Node::Array>(&node.value);
+    return list != nullptr ? list->size() : 0;
+  };
+  std::size_t const count = section.has("value") ? length(section.need("value", "")) : 0;
+  std::vector<Node> out(std::max<std::size_t>(count, 1), section.node());
+  for (std::size_t e = 0; e < entries.size(); ++e) {
+    std::size_t const n = length(entries[e].node);
+    if (entries[e].key == "schemes" || n == 0) {
+      continue;
+    }
+    if (n != count) {
+      throw section.error(entries[e].key,
+                          fmt::format("has {} entries, value has {}", n, std::max<std::size_t>(count, 1)),
+                          "make the lists equally long, or give one entry for all");
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+      std::get<Node::Table>(out[i].value)[e].node = std::get<Node::Array>(entries[e].node.value)[i];
+    }
+  }
+  return out;
+}
+
+void check_probe(Section const& root, Section const& section, std::string const& name) {
+  bool known = false;
+  if (root.has("output")) {
+    for (Section const& probe : root.table("output", output_keys).tables("probe", {"name", "position"})) {
+      known = known || probe.text("name") == name;
+    }
+  }
+  if (!known) {
+    throw section.error("probe", fmt::format("'{}' is not in [[output.probe]]", name), "name one of the probes");
+  }
+}
+
+std::vector<std::string> read_judged_schemes(Section const& section) {
+  std::vector<std::string> out;
+  if (!section.has("schemes")) {
+    return out;
+  }
+  auto const* list = std::get_if<Node::Array>(&section.need("schemes", "").value);
+  if (list == nullptr || list->empty()) {
+    throw section.error("schemes", "is not a list of names", "write [\"linear\", \"parabolic\"]");
+  }
+  for (Node const& node : *list) {
+    auto const* text = std::get_if<std::string>(&node.value);
+    out.push_back(
+        predictor_names()[index_of_choice(section, "schemes", text != nullptr ? *text : "?", predictor_names())]);
+  }
+  return out;
+}
+
+Expectation read_expectation(Section const& root, Section const& section, std::vector<std::string> const& variants) {
+  std::vector<std::string> names;
+  for (auto const& quantity : all_quantities()) {
+    names.push_back(quantity.name);
+  }
+  Expectation e;
+  e.quantity = section.text("quantity");
+  auto const& quantity = all_quantities()[index_of_choice(section, "quantity", e.quantity, names)];
+  auto const takes = [&](char const* key) { return quantity.needs.find(key) != std::string::npos; };
+  e.variant = variants[section.choice("variant", variants, 0)];
+  for (auto const& [key, target] : {std::pair{"time", &e.time}, {"after", &e.after}, {"window", &e.window}}) {
+    if (takes(key) != section.has(key)) {
+      throw section.error(key, fmt::format("{} by '{}'", takes(key) ? "is needed" : "is not used", e.quantity),
+                          takes(key) ? fmt::format("add {} = \"20 us\"", key) : fmt::format("remove {}", key));
+    }
+    if (takes(key)) {
+      *target = section.positive(key, dimension::time);
+    }
+  }
+  if (takes("threshold") && (!root.has("output") || root.need("output", "").find("threshold") == nullptr)) {
+    throw section.error("quantity", fmt::format("'{}' needs output.threshold", e.quantity),
+                        "add threshold = \"10 bar\" to [output]");
+  }
+  if (takes("probe")) {
+    e.probe = section.text("probe");
+    check_probe(root, section, e.probe);
+  } else if (section.has("probe")) {
+    throw section.error("probe", fmt::format("is not used by '{}'", e.quantity), "remove probe");
+  }
+  e.value = section.quantity("value", quantity.dimension);
+  e.tolerance = read_tolerance(section, quantity.dimension, e.value);
+  e.unit = unit_of(section.need("value", ""));
+  e.unit = e.unit.empty() ? si_unit(quantity.dimension.exponents) : e.unit;
+  e.unit_si = parse_unit(e.unit).value_or(Quantity{1, {}, true}).value;
+  e.source = section.text("source", "");
+  e.judged = section.flag("judged", true);
+  e.schemes = read_judged_schemes(section);
+  return e;
 }
 
 }  // namespace
@@ -41,7 +137,7 @@ OutputPlan read_output(Section const& root, double start, double end, double lef
     plan.snapshots = {start, end};
     return plan;
   }
-  Section const section = root.table("output", {"snapshots", "every", "threshold", "probe", "map"});
+  Section const section = root.table("output", output_keys);
   if (section.has("snapshots")) {
     for (double const t : section.quantities("snapshots", dimension::time)) {
       if (!plan.snapshots.empty() && !(t > plan.snapshots.back())) {
@@ -82,62 +178,13 @@ OutputPlan read_output(Section const& root, double start, double end, double lef
 }
 
 std::vector<Expectation> read_expectations(Section const& root, std::vector<std::string> const& variants) {
-  std::vector<std::string> const keys{"quantity", "variant", "probe", "schemes",   "time",
-                                      "after",    "window",  "value", "tolerance", "source"};
-  std::vector<std::string> names;
-  for (auto const& quantity : all_quantities()) {
-    names.push_back(quantity.name);
-  }
+  std::vector<std::string> const keys{"quantity", "variant", "probe",     "schemes", "time",  "after",
+                                      "window",   "value",   "tolerance", "source",  "judged"};
   std::vector<Expectation> out;
   for (Section const& section : root.tables("expect", keys)) {
-    Expectation e;
-    e.quantity = section.text("quantity");
-    auto const& quantity = all_quantities()[index_of_choice(section, "quantity", e.quantity, names)];
-    e.variant = variants[section.choice("variant", variants, 0)];
-    for (auto const& [key, target] : {std::pair{"time", &e.time}, {"after", &e.after}, {"window", &e.window}}) {
-      bool const wanted = quantity.needs.find(key) != std::string::npos;
-      if (wanted != section.has(key)) {
-        throw section.error(key, fmt::format("{} by '{}'", wanted ? "is needed" : "is not used", e.quantity),
-                            wanted ? fmt::format("add {} = \"20 us\"", key) : fmt::format("remove {}", key));
-      }
-      if (wanted) {
-        *target = section.quantity(key, dimension::time);
-      }
+    for (Node const& node : spread(section)) {
+      out.push_back(read_expectation(root, Section(section.reading(), node, section.path(), keys), variants));
     }
-    if (quantity.needs.find("threshold") != std::string::npos &&
-        (!root.has("output") || root.need("output", "").find("threshold") == nullptr)) {
-      throw section.error("quantity", fmt::format("'{}' needs output.threshold", e.quantity),
-                          "add threshold = \"10 bar\" to [output]");
-    }
-    if (quantity.needs.find("probe") != std::string::npos) {
-      e.probe = section.text("probe");
-      bool known = false;
-      for (Section const& probe : root.table("output", {"snapshots", "every", "threshold", "probe", "map"})
-                                      .tables("probe", {"name", "position"})) {
-        known = known || probe.text("name") == e.probe;
-      }
-      if (!known) {
-        throw section.error("probe", fmt::format("'{}' is not in [[output.probe]]", e.probe), "name one of the probes");
-      }
-    }
-    e.value = section.quantity("value", quantity.dimension);
-    e.tolerance = read_tolerance(section, quantity.dimension, e.value);
-    e.unit = unit_of(section.node().find("value") != nullptr ? *section.node().find("value") : section.node());
-    e.unit = e.unit.empty() ? si_unit(quantity.dimension.exponents) : e.unit;
-    e.unit_si = parse_unit(e.unit).value_or(Quantity{1, {}, true}).value;
-    e.source = section.text("source", "");
-    if (section.has("schemes")) {
-      auto const* list = std::get_if<Node::Array>(&section.need("schemes", "").value);
-      if (list == nullptr) {
-        throw section.error("schemes", "is not a list", "write [\"linear\", \"parabolic\"]");
-      }
-      for (Node const& node : *list) {
-        auto const* text = std::get_if<std::string>(&node.value);
-        e.schemes.push_back(
-            predictor_names()[index_of_choice(section, "schemes", text != nullptr ? *text : "?", predictor_names())]);
-      }
-    }
-    out.push_back(std::move(e));
   }
   return out;
 }

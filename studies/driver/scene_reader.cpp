@@ -169,7 +169,7 @@ std::vector<std::string> scene_names() {
 }
 
 std::filesystem::path find_scene(std::string const& path_or_name) {
-  if (std::filesystem::exists(path_or_name)) {
+  if (std::filesystem::is_regular_file(path_or_name)) {
     return path_or_name;
   }
   auto const names = scene_names();

@@ -44,8 +44,8 @@ std::vector<Judgement> judge(Scene const& scene, std::map<std::string, RunRecord
       if (run.variant != e.variant || record == records.end()) {
         continue;
       }
-      bool const judged =
-          e.schemes.empty() || std::find(e.schemes.begin(), e.schemes.end(), run.scheme) != e.schemes.end();
+      bool const judged = e.judged && (e.schemes.empty() ||
+                                       std::find(e.schemes.begin(), e.schemes.end(), run.scheme) != e.schemes.end());
       out.push_back({e, run.scheme, quantity->evaluate(record->second.history, run.output, e), judged});
     }
   }
