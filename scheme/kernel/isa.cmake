@@ -13,7 +13,7 @@ endif()
 
 # The laws are read off the registry, so that a new one is compiled by its line there.
 file(STRINGS ${PROJECT_SOURCE_DIR}/riemann/eos/registry.hpp G27_EOS_LINE REGEX "EosList = TypeList<")
-string(REGEX REPLACE ".*TypeList<(.*)>;" "\\1" G27_EOS_NAMES "${G27_EOS_LINE}")
+string(REGEX REPLACE ".*TypeList<([^>]*)>.*" "\\1" G27_EOS_NAMES "${G27_EOS_LINE}")
 string(REPLACE ", " ";" G27_EOS_NAMES "${G27_EOS_NAMES}")
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/riemann/eos/registry.hpp)
 
