@@ -12,13 +12,13 @@
 namespace g27 {
 
 struct GasLineSetup {
-  AnyEos eos;
-  std::vector<double> faces;  ///< [cells + 1] increasing positions [m]; >= 0 in curved symmetry
+  AnyEos eos{};
+  std::vector<double> faces{};  ///< [cells + 1] increasing positions [m]; >= 0 in curved symmetry
   Symmetry symmetry = Symmetry::planar;
-  GasBoundary left, right;
-  MeshMotion motion;
-  GasSource source;
-  GasSchemeOptions options;
+  GasBoundary left{}, right{};
+  MeshMotion motion{};
+  GasSource source{};
+  GasSchemeOptions options{};
 };
 
 enum class StepStatus { ok, inadmissible_state, mesh_tangled, time_step_vanished };

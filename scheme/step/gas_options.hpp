@@ -48,9 +48,9 @@ struct GasBoundary {
   enum class Kind { periodic, wall, outflow, inflow, piston };
   Kind kind = Kind::outflow;
   /// inflow: the state outside at (x [m], t [s])
-  std::function<GasState<>(double x, double t)> state;
+  std::function<GasState<>(double x, double t)> state{};
   /// piston: velocity of the wall at t [m/s]
-  std::function<double(double t)> velocity;
+  std::function<double(double t)> velocity{};
 };
 
 struct MeshMotion {
@@ -61,15 +61,15 @@ struct MeshMotion {
     lagrangian   ///< every face moves with its contact: no mass crosses it
   };
   Kind kind = Kind::fixed;
-  std::function<double(double x0, double t)> position;
+  std::function<double(double x0, double t)> position{};
 };
 
 /// Source terms of a manufactured solution.
 struct GasSource {
   /// mean over the cell [x0, x1] and the step [t, t + dt] of the conserved source densities
-  std::function<GasConserved<>(double x0, double x1, double t, double dt)> mean;
+  std::function<GasConserved<>(double x0, double x1, double t, double dt)> mean{};
   /// d/dt of the primitive variables that the source alone causes, at a point
-  std::function<GasState<>(double x, double t)> primitive_rate;
+  std::function<GasState<>(double x, double t)> primitive_rate{};
 };
 
 /// How often each thing happened since the start, summed over faces (or cells) and steps.

@@ -121,7 +121,7 @@ Table run(BenchmarkOptions const& options) {
               }
             }
             auto const time = [&](RiemannSolver solver, std::size_t& failures) {
-              return time_faces(kernels.solve[law][static_cast<std::size_t>(solver)], &eos, faces, failures);
+              return time_faces(kernels.eos[law]->solve[static_cast<std::size_t>(solver)], &eos, faces, failures);
             };
             std::size_t failures = 0;
             double const hllc = time(RiemannSolver::hllc, failures);

@@ -48,12 +48,12 @@ struct CaseResult {
 };
 
 struct Case {
-  std::string name, title, source;
+  std::string name{}, title{}, source{};
   int default_cells = 200;
   bool has_reference = true;
   std::vector<std::string> eos{"ideal"};  ///< first: the default
   /// Runs the case; throws std::runtime_error when the scheme fails.
-  std::function<CaseResult(CaseOptions const&)> run;
+  std::function<CaseResult(CaseOptions const&)> run{};
 };
 
 std::vector<Case> all_cases();

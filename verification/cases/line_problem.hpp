@@ -12,14 +12,14 @@ namespace g27 {
 using CellMean = std::function<GasConserved<>(double a, double b)>;
 
 struct LineProblem {
-  AnyEos eos;
+  AnyEos eos{};
   double x0 = 0, x1 = 1, t_end = 1;
-  GasBoundary left, right;
-  CellMean initial;
-  CellMean reference;  ///< at t_end; empty: none
+  GasBoundary left{}, right{};
+  CellMean initial{};
+  CellMean reference{};  ///< at t_end; empty: none
   Symmetry symmetry = Symmetry::planar;
-  MeshMotion motion;  ///< the problem's own; a mesh chosen by the options overrides it
-  GasSource source;
+  MeshMotion motion{};  ///< the problem's own; a mesh chosen by the options overrides it
+  GasSource source{};
   double cfl = 0.8;
   Switch monotonicity = Switch::graded;
 };

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "riemann/eos/registry.hpp"
+#include "riemann/state/gas.hpp"
 #include "verification/exact/eos.hpp"
 
 namespace g27 {
