@@ -10,7 +10,7 @@
 namespace g27 {
 
 struct BenchmarkOptions {
-  int cells = 0;    ///< 0: the benchmark's own choice
+  int cells = 0;  ///< 0: the benchmark's own choice
   int threads = 1;
 };
 

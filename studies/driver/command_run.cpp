@@ -90,6 +90,10 @@ int command_run(RunArguments const& arguments) {
                                                .threads = arguments.threads > 0 ? arguments.threads : machine,
                                                .resume = arguments.resume,
                                                .checkpoint_s = arguments.checkpoint_s});
+  if (result.interrupted) {
+    fmt::print(stderr, "interrupted; continue with --resume\n");
+    return 1;
+  }
   std::vector<Table> tables{run_table(scene, result)};
   if (!result.judgements.empty()) {
     tables.push_back(verdict_table(scene, result.judgements));
@@ -101,10 +105,6 @@ int command_run(RunArguments const& arguments) {
   write_atomically(out / "summary.json", json.dump(2) + "\n");
   for (auto const& [name, message] : result.failures) {
     fmt::print(stderr, "failed: {}\n  see {}/{}.failure.json\n", message, out.string(), name);
-  }
-  if (result.interrupted) {
-    fmt::print(stderr, "interrupted; continue with --resume\n");
-    return 1;
   }
   if (arguments.figures) {
     draw_variants(scene, result, out);

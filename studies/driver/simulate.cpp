@@ -12,15 +12,22 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr double least_step = 1e-8;  ///< over the run's duration: such a run would never end
+
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 std::vector<double> copy(std::span<double const> values) { return {values.begin(), values.end()}; }
 
 GasLine resumed_line(SceneRun const& run, Restart const& restart) {
   GasLineSetup setup = run.setup;
-  // A prescribed mesh is placed by the line itself from its positions at t = 0.
-  if (setup.motion.kind != MeshMotion::Kind::prescribed) {
-    setup.faces = restart.faces;
+  setup.faces = restart.faces;
+  if (setup.motion.kind == MeshMotion::Kind::prescribed) {
+    // The line takes its faces for those at t = 0: lead each back to where it truly started.
+    setup.motion.position = [now = restart.faces, start = run.setup.faces, position = run.setup.motion.position](
+                                double x, double t) {
+      auto const face = std::lower_bound(now.begin(), now.end(), x) - now.begin();
+      return position(start[static_cast<std::size_t>(face)], t);
+    };
   }
   GasLine line(setup);
   std::vector<GasConserved<>> averages(restart.mass.size());
@@ -126,7 +133,10 @@ void simulate(SceneRun const& run, RunRecord& record, RunHooks const& hooks) {
   };
   while (line.time() < run.end) {
     double const stop = run.output.snapshots[record.snapshots.size()];
-    StepReport const report = line.step(stop);
+    StepReport report = line.step(stop);
+    if (report.status == StepStatus::ok && line.stable_dt() < least_step * (run.end - run.start)) {
+      report.status = StepStatus::time_step_vanished;
+    }
     if (report.status != StepStatus::ok) {
       capture_here();
       throw RunFailure(

@@ -18,12 +18,12 @@ struct Finding {
 };
 
 struct StudyReport {
-  std::vector<Table> tables;     ///< printed, and written as CSV and HDF5 (group = table name)
-  std::vector<Finding> findings; ///< the study holds when every finding holds
+  std::vector<Table> tables;      ///< printed, and written as CSV and HDF5 (group = table name)
+  std::vector<Finding> findings;  ///< the study holds when every finding holds
 };
 
 struct StudyContext {
-  std::filesystem::path out;                               ///< folder of this study's results
+  std::filesystem::path out;                                          ///< folder of this study's results
   std::function<void(double fraction, std::string const&)> progress;  ///< fraction done in [0, 1], what runs now
 };
 

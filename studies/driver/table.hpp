@@ -12,7 +12,7 @@ using Value = std::variant<std::string, double, long>;
 
 struct Column {
   std::string name;
-  std::string unit;    ///< "1" for pure numbers
+  std::string unit;  ///< "1" for pure numbers
 };
 
 struct Table {

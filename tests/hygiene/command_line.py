@@ -1,0 +1,85 @@
+#!/usr/bin/env python3
+"""The program's contract with scripts: exit status, and JSON alone on stdout.
+
+usage: command_line.py SOURCE_DIR BUILD_DIR
+"""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+program = pathlib.Path(sys.argv[2]) / "g27"
+problems = []
+
+
+def run(*arguments, status=0, stdout=None):
+    done = subprocess.run([program, *arguments], capture_output=True, text=True)
+    if done.returncode != status:
+        problems.append(f"g27 {' '.join(map(str, arguments))}: status {done.returncode}, not {status}: {done.stderr}")
+    return done
+
+
+def run_json(*arguments, status=0):
+    done = run(*arguments, "--json", status=status)
+    try:
+        return json.loads(done.stdout)
+    except ValueError as error:
+        problems.append(f"g27 {' '.join(map(str, arguments))} --json: {error}: {done.stdout[:200]!r}")
+        return {}
+
+
+run("--help")
+run("--version")
+run(status=2)
+for wrong in (["rnu"], ["run", "no-such-scene"], ["case", "no-such-case"], ["study", "no-such-study"],
+              ["exact", "no-such-solution"], ["figure", "no-such-figure"], ["bench", "no-such-benchmark"],
+              ["list", "no-such-kind"], ["run", "sod", "--set", "domain.cels=3"], ["run", "--threads", "0"],
+              ["check"], ["run", "sod", "--no-such-option"], ["exact", "riemann", "nonsense"]):
+    done = run(*wrong, status=2)
+    if done.stdout:
+        problems.append(f"g27 {' '.join(wrong)} prints on stdout: {done.stdout[:80]!r}")
+    if not done.stderr.strip():
+        problems.append(f"g27 {' '.join(wrong)} says nothing")
+
+everything = run_json("list")
+if set(everything) != {"scenes", "cases", "studies", "exact", "eos", "schemes", "figures", "benchmarks"}:
+    problems.append(f"g27 list --json has the keys {sorted(everything)}")
+for scene in everything.get("scenes", []):
+    run_json("check", scene["name"])
+
+with tempfile.TemporaryDirectory() as folder:
+    result = run_json("run", "sod", "--out", folder, "--no-figures")
+    if not result.get("holds") or len(result.get("runs", [])) != 3:
+        problems.append("g27 run sod does not hold")
+    produced = {path.name for path in pathlib.Path(folder).iterdir()}
+    for name in ("main-linear.h5", "main-linear.xdmf", "summary.json", "runs.csv", "verdict.csv"):
+        if name not in produced:
+            problems.append(f"g27 run sod wrote no {name}")
+    # A claim that fails: status 1. The pressure at a tenth of the time is not the star pressure.
+    failing = run_json("run", "sod", "--out", folder, "--no-figures", "--set", "expect.0.time=0.01 s", status=1)
+    if failing.get("holds") is not False:
+        problems.append("a wrong expectation holds")
+    # No place to write to: status 1, and the reason.
+    done = run("run", "sod", "--out", "/dev/null/x", "--no-figures", status=1)
+    if "cannot create" not in done.stderr:
+        problems.append(f"an impossible folder gives: {done.stderr}")
+    # A run that cannot go on, the piston reaching the wall: status 1 and a capsule.
+    squeeze = pathlib.Path(folder) / "squeeze.toml"
+    squeeze.write_text("""title = "squeezed"
+time = { end = "3 ms" }
+material.gas.eos = { type = "ideal", gamma = 1.4 }
+region = [{ extent = ["0 m", "1 m"], density = "1 kg/m3", pressure = "1 bar" }]
+[domain]
+extent = ["0 m", "1 m"]
+cells = 8
+motion = "stretched"
+boundary = { left = { type = "piston", velocity = "1 km/s" }, right = "wall" }
+""")
+    run("run", squeeze, "--out", folder, "--no-figures", status=1)
+    capsule = pathlib.Path(folder) / "main-linear.failure.json"
+    if not capsule.exists() or "stencil" not in json.loads(capsule.read_text()):
+        problems.append("a failed run leaves no capsule")
+
+print("\n".join(problems) or "command line in order")
+sys.exit(bool(problems))
