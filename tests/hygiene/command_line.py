@@ -8,6 +8,7 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+import xml.etree.ElementTree
 
 program = pathlib.Path(sys.argv[2]) / "g27"
 problems = []
@@ -56,6 +57,12 @@ with tempfile.TemporaryDirectory() as folder:
     for name in ("main-linear.h5", "main-linear.xdmf", "summary.json", "runs.csv", "verdict.csv"):
         if name not in produced:
             problems.append(f"g27 run sod wrote no {name}")
+    # XDMF: every grid's data items name data sets of the file beside it, as long as they say.
+    items = [item.text.strip() for item in
+             xml.etree.ElementTree.parse(pathlib.Path(folder) / "main-linear.xdmf").iter("DataItem")
+             if item.get("Format") == "HDF"]
+    if len(items) < 8 or not all(item.startswith("main-linear.h5:/state/") for item in items):
+        problems.append(f"the XDMF file refers to {items}")
     # A claim that fails: status 1. The pressure at a tenth of the time is not the star pressure.
     failing = run_json("run", "sod", "--out", folder, "--no-figures", "--set", "expect.0.time=0.01 s", status=1)
     if failing.get("holds") is not False:
