@@ -2,24 +2,10 @@
 
 #include <ctime>
 
+#include "scheme/kernel/gas_kernels.hpp"
+
 namespace g27 {
 namespace {
-
-/// The widest instruction set of this processor for which kernels exist.
-std::string instruction_set() {
-#if defined(__x86_64__)
-  __builtin_cpu_init();
-  if (__builtin_cpu_supports("x86-64-v4")) {
-    return "x86-64-v4";
-  }
-  if (__builtin_cpu_supports("x86-64-v3")) {
-    return "x86-64-v3";
-  }
-  return "x86-64";
-#else
-  return "baseline";
-#endif
-}
 
 std::string utc_now() {
   std::time_t const now = std::time(nullptr);
@@ -35,7 +21,7 @@ std::string utc_now() {
 std::vector<std::pair<std::string, std::string>> provenance(int threads) {
   BuildFacts const facts = build_facts();
   return {{"version", facts.version},           {"commit", facts.commit}, {"compiler", facts.compiler},
-          {"build_type", facts.build_type},     {"flags", facts.flags},   {"instruction_set", instruction_set()},
+          {"build_type", facts.build_type},     {"flags", facts.flags},   {"instruction_set", gas_kernels().isa},
           {"threads", std::to_string(threads)}, {"date", utc_now()}};
 }
 

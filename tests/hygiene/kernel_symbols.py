@@ -6,24 +6,25 @@ usage: kernel_symbols.py SOURCE_DIR BUILD_DIR
 """
 import collections
 import pathlib
+import re
 import subprocess
 import sys
 
 build = pathlib.Path(sys.argv[2])
 holders = collections.defaultdict(set)
 objects = 0
-for folder in sorted((build / "CMakeFiles").glob("g27_kernel_*.dir")):
-    isa = folder.name[len("g27_kernel_"):-len(".dir")]
-    for path in folder.rglob("*.o"):
+for folder in sorted((build / "CMakeFiles").glob("g27_*.dir")):
+    isa = re.search(r"_(x86_64|x86_64_v3|x86_64_v4|baseline)\.dir$", folder.name)
+    for path in folder.glob("scheme/kernel/*_kernel.cpp.o") if isa else ():
         objects += 1
         out = subprocess.run(["nm", "--defined-only", "-C", path], capture_output=True, text=True, check=True).stdout
         for line in out.splitlines():
             kind, _, name = line[17:].partition(" ")
             if kind in "WVu":
-                holders[name].add(isa)
+                holders[name].add(isa[1])
 shared = sorted(name for name, isas in holders.items() if len(isas) > 1)
-if objects == 0:
-    print("no kernel objects in the build folder")
+if objects < 2:
+    print(f"{objects} kernel objects in the build folder")
     sys.exit(1)
 print("\n".join(f"shared by {', '.join(sorted(holders[n]))}: {n}" for n in shared) or
       f"{objects} kernel objects share no weak symbol")
