@@ -10,11 +10,12 @@ EosKernels const& eos_kernels() noexcept;
 
 template <>
 EosKernels const& eos_kernels<G27_EOS>() noexcept {
-  static constexpr EosKernels table{
-      .solve = {&solve<RiemannSolver::fast, G27_EOS, Simd>, &solve<RiemannSolver::exact, G27_EOS, Simd>,
-                &solve<RiemannSolver::hllc, G27_EOS, Simd>},
-      .primitive = &primitive<G27_EOS, Simd>,
-      .update = &update<G27_EOS, Simd>};
+  // a law without a solver of its own takes the general one: the same function, compiled once
+  constexpr RiemannSolver fast = HasFastSolver<G27_EOS, Simd> ? RiemannSolver::fast : RiemannSolver::exact;
+  static constexpr EosKernels table{.solve = {&solve<fast, G27_EOS, Simd>, &solve<RiemannSolver::exact, G27_EOS, Simd>,
+                                              &solve<RiemannSolver::hllc, G27_EOS, Simd>},
+                                    .primitive = &primitive<G27_EOS, Simd>,
+                                    .update = &update<G27_EOS, Simd>};
   return table;
 }
 

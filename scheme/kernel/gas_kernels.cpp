@@ -6,11 +6,11 @@
 namespace g27 {
 
 // The kernel objects define these in the namespace of their instruction set.
-#define G27_FOR_ISA(isa)                               \
-  namespace isa {                                      \
-  extern GasKernels::PredictTable const predict_table; \
-  template <class E>                                   \
-  EosKernels const& eos_kernels() noexcept;            \
+#define G27_FOR_ISA(isa)                          \
+  namespace isa {                                 \
+  extern GasKernels::Predictors const predictors; \
+  template <class E>                              \
+  EosKernels const& eos_kernels() noexcept;       \
   }
 G27_FOR_EACH_ISA
 #undef G27_FOR_ISA
@@ -31,7 +31,7 @@ std::array<GasKernels const*, 8> find_runnable() noexcept {
   std::size_t n = 0;
   // one table an instruction set, the laws in the order of the registry
 #define G27_FOR_ISA(isa)                                                                                               \
-  static GasKernels const isa##_table{#isa, &isa::predict_table, []<class... E>(std::variant<E...> const*) {           \
+  static GasKernels const isa##_table{#isa, &isa::predictors, []<class... E>(std::variant<E...> const*) {              \
                                         return std::array<EosKernels const*, sizeof...(E)>{&isa::eos_kernels<E>()...}; \
                                       }(static_cast<AnyEos const*>(nullptr))};                                         \
   if (runs_here(#isa)) tables[n++] = &isa##_table;

@@ -92,8 +92,14 @@ struct GasKernels {
   using PredictRow = std::array<Predict, 2>;  ///< [uniform fixed mesh]
   using PredictTable = std::array<PredictRow, static_cast<std::size_t>(PredictorKernel::count)>;
 
+  /// The predictors of one instruction set, and the number of lanes of its vectors.
+  struct Predictors {
+    std::size_t width;
+    PredictTable table;
+  };
+
   char const* isa;
-  PredictTable const* predict;
+  Predictors const* predict;
   std::array<EosKernels const*, std::variant_size_v<AnyEos>> eos;  ///< [index of the law in AnyEos]
 };
 

@@ -10,17 +10,18 @@ inline constexpr Row both_meshes{&predict<P, false, false, Simd>, &predict<P, tr
 template <class P, bool cell_feet = false>
 inline constexpr Row general_mesh{&predict<P, false, cell_feet, Simd>, &predict<P, false, cell_feet, Simd>};
 
-extern GasKernels::PredictTable const predict_table;
-constexpr GasKernels::PredictTable predict_table{{both_meshes<GodunovPredictor>,
-                                                  both_meshes<LinearPredictor<Switch::off>>,
-                                                  general_mesh<LinearPredictor<Switch::literal>>,
-                                                  general_mesh<LinearPredictor<Switch::binary>>,
-                                                  both_meshes<LinearPredictor<Switch::graded>>,
-                                                  general_mesh<LinearPredictor<Switch::off, false, true>>,
-                                                  general_mesh<LinearPredictor<Switch::off, true>, true>,
-                                                  both_meshes<ParabolicPredictor<false>>,
-                                                  both_meshes<ParabolicPredictor<true>>,
-                                                  {&predict_muscl<false, Simd>, &predict_muscl<true, Simd>}}};
+extern GasKernels::Predictors const predictors;
+constexpr GasKernels::Predictors predictors{width<Simd>,
+                                            {{both_meshes<GodunovPredictor>,
+                                              both_meshes<LinearPredictor<Switch::off>>,
+                                              general_mesh<LinearPredictor<Switch::literal>>,
+                                              general_mesh<LinearPredictor<Switch::binary>>,
+                                              both_meshes<LinearPredictor<Switch::graded>>,
+                                              general_mesh<LinearPredictor<Switch::off, false, true>>,
+                                              general_mesh<LinearPredictor<Switch::off, true>, true>,
+                                              both_meshes<ParabolicPredictor<false>>,
+                                              both_meshes<ParabolicPredictor<true>>,
+                                              {&predict_muscl<false, Simd>, &predict_muscl<true, Simd>}}}};
 
 }  // namespace G27_ISA
 }  // namespace g27

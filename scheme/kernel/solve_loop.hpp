@@ -11,11 +11,16 @@ namespace g27 {
 /// A predicted side whose density or pressure margin is below this share of its cell's takes the cell state.
 inline constexpr double least_side_share = 0.05;
 
+template <class E, class V>
+concept HasFastSolver = requires(E const& eos, GasState<V> const& s, Mask<V> m) {
+  fast_face(eos, s, s, m);
+};
+
 /// The solver of the EOS: its own where it has one, else the general one.
 template <RiemannSolver solver, class E, Lane V>
 G27_INLINE FaceSolution<V> solve_face(E const& eos, GasState<V> const& l, GasState<V> const& r,
                                       Mask<V> active) noexcept {
-  if constexpr (solver == RiemannSolver::fast && requires { fast_face(eos, l, r, active); }) {
+  if constexpr (solver == RiemannSolver::fast && HasFastSolver<E, V>) {
     return fast_face(eos, l, r, active);
   } else {
     return exact_face(eos, eos, l, r, active);

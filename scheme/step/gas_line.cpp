@@ -296,7 +296,7 @@ struct GasLine::Impl {
                              .s_p = b.s_p.data(),
                              .switched = b.switched.data(),
                              .strong = b.strong.data()};
-    (*kernels.predict)[static_cast<std::size_t>(run.predictor)][line.uniform() ? 1 : 0](g);
+    kernels.predict->table[static_cast<std::size_t>(run.predictor)][line.uniform() ? 1 : 0](g);
   }
 
   std::size_t solve(std::ptrdiff_t f, std::size_t count, FaceProblems& b, GasFaces& out,

@@ -50,7 +50,7 @@ void draw(E const& eos, GasState<> const& base, double size, std::size_t count, 
 }
 
 /// CPU nanoseconds a face: the least of several repetitions.
-double time_faces(GasKernels::Solve solve, void const* eos, Faces const& faces, std::size_t& failures) {
+double time_faces(EosKernels::Solve solve, void const* eos, Faces const& faces, std::size_t& failures) {
   std::size_t const n = faces.l.size(), padded = n + 16;
   std::vector<std::vector<double>> fields(24, std::vector<double>(padded, 0.0));
   auto field = [&, next = std::size_t{0}]() mutable { return fields[next++].data(); };
@@ -95,7 +95,7 @@ Table run(BenchmarkOptions const& options) {
       .columns = {{"eos", "1"}, {"jump", "1"}, {"solver", "1"}, {"time", "ns"}, {"over_hllc", "1"}, {"failed", "1"}},
       .rows = {},
       .facts = {{"isa", std::string{kernels.isa}},
-                {"lanes", static_cast<long>(kernels.width)},
+                {"lanes", static_cast<long>(kernels.predict->width)},
                 {"faces", static_cast<long>(n)}}};
   Medium const media[] = {{IdealGas{}, {1.2, 0, 1e5}}, {StiffenedGas{}, {1000, 0, 1e9}}, {Jwl{}, {1650, 0, 1.1e10}}};
   struct Data {

@@ -2,6 +2,7 @@
 # To add a case, an oracle, a study or a benchmark is to add one file.
 function(g27_table target table header type function glob)
   file(GLOB files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${glob})
+  list(FILTER files EXCLUDE REGEX "/driver/")
   set(declarations "")
   set(entries "")
   foreach(file ${files})
