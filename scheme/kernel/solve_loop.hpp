@@ -91,9 +91,11 @@ void fluxes_of_states(SolveArguments& g, E const& eos) noexcept {
   for (std::size_t f = 0; f < g.faces; f += width<V>) {
     V const rho = load<V>(g.s_rho + f), u = load<V>(g.s_u + f), p = load<V>(g.s_p + f), w = load<V>(g.w + f);
     V const m = g.lagrangian ? V(0.0) : rho * (u - w);
+    // in a vacuum nothing flows, but its energy per mass must not be 0/0
+    V const e = eos.energy(max(rho, V(1e-200)), p);
     store(g.f_mass + f, m);
     store(g.f_momentum + f, V(m * u + p));
-    store(g.f_energy + f, V(m * (eos.energy(rho, p) + 0.5 * u * u) + p * u));
+    store(g.f_energy + f, V(m * (e + 0.5 * u * u) + p * u));
     store(g.face_p + f, p), store(g.face_u + f, u);
   }
 }
