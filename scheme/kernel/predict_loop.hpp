@@ -34,7 +34,6 @@ void predict(PredictArguments const& g) noexcept {
   bool const increments = g.inc_rho != nullptr;
   std::ptrdiff_t const n = static_cast<std::ptrdiff_t>(g.faces);
   V const h0(g.h[0]), pair0(g.inv_pair[0]), triple0(g.inv_triple[0]);
-  Mask<V> const allow(g.linear_star);
   for (std::ptrdiff_t f = 0; f < n; f += static_cast<std::ptrdiff_t>(width<V>)) {
     Stencil<V> s{.z = load_cell<V>(g, f - 1),
                  .a = load_cell<V>(g, f),
@@ -51,6 +50,7 @@ void predict(PredictArguments const& g) noexcept {
                  .dt = V(g.dt),
                  .foot_shift = V(0.0),
                  .foot_factor = V(1.0),
+                 .linear_star = g.linear_star,
                  .incremented = increments,
                  .inc_a = {},
                  .inc_b = {}};
@@ -65,9 +65,7 @@ void predict(PredictArguments const& g) noexcept {
       s.foot_shift = load<V>(g.foot_shift + f), s.foot_factor = load<V>(g.foot_factor + f);
     }
     if (increments) s.inc_a = load_increment<V>(g, f), s.inc_b = load_increment<V>(g, f + 1);
-    FacePrediction<V> r = Predictor::predict(s, g.exponent);
-    r.weak = r.weak && allow;
-    store_prediction(g, static_cast<std::size_t>(f), r);
+    store_prediction(g, static_cast<std::size_t>(f), Predictor::predict(s, g.exponent));
   }
 }
 

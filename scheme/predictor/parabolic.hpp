@@ -79,7 +79,8 @@ struct ParabolicPredictor {
     V const x_s = 0.5 * (e_p + e_m);
     V const p_s = p + x_s, u_s = u + 0.5 * (e_p - e_m) * inv_Z, rho_s = rho + e_0 + x_s * inv_c2;
     V const K_min = min(a.K, b.K), rho_min = min(a.rho, b.rho);
-    Mask<V> weak = abs(d_p) <= weak_pressure * K_min && abs(d_u) <= weak_velocity * c && rho_s > 0.2 * rho_min;
+    Mask<V> const allow(s.linear_star);
+    Mask<V> weak = allow && abs(d_p) <= weak_pressure * K_min && abs(d_u) <= weak_velocity * c && rho_s > 0.2 * rho_min;
     FacePrediction<V> out{
         .star = {rho_s, u_s, p_s}, .left = state(a), .right = state(b), .weak = weak, .switched = switched};
     if (all(weak)) return out;
@@ -105,7 +106,7 @@ struct ParabolicPredictor {
       right = {right.rho + s.inc_b.rho, right.u + s.inc_b.u, right.p + s.inc_b.p};
     }
     V const floor = min(a.p, b.p) - 0.8 * K_min / exponent;
-    Mask<V> const weak_sides = abs(right.p - left.p) <= weak_pressure * K_min &&
+    Mask<V> const weak_sides = allow && abs(right.p - left.p) <= weak_pressure * K_min &&
                                abs(right.u - left.u) <= weak_velocity * c && p_s > floor && rho_s > 0.2 * rho_min &&
                                left.rho > 0.2 * rho_min && right.rho > 0.2 * rho_min;
     out.left = left, out.right = right, out.weak = weak || weak_sides;

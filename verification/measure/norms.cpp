@@ -11,6 +11,9 @@ void check(bool good, char const* what) {
   if (!good) throw std::invalid_argument(what);
 }
 
+/// A reference that varies by less than this share of its magnitude is flat: what is left is its own round-off.
+constexpr double flat = 1e-10;
+
 /// What a deviation is compared with when the reference is flat.
 double magnitude(std::span<double const> reference) {
   double largest = 0;
@@ -48,7 +51,8 @@ double total_variation(std::span<double const> value, bool periodic) {
 double tv_excess(std::span<double const> value, std::span<double const> reference, bool periodic) {
   check(!reference.empty(), "tv_excess: no reference");
   double const of_value = total_variation(value, periodic), of_reference = total_variation(reference, periodic);
-  return of_reference > 0 ? of_value / of_reference - 1 : of_value / magnitude(reference);
+  double const size = magnitude(reference);
+  return of_reference > flat * size ? of_value / of_reference - 1 : of_value / size;
 }
 
 double overshoot(std::span<double const> value, std::span<double const> reference) {
@@ -56,7 +60,8 @@ double overshoot(std::span<double const> value, std::span<double const> referenc
   auto const [low, high] = std::minmax_element(reference.begin(), reference.end());
   double beyond = 0;
   for (double const v : value) beyond = std::max({beyond, v - *high, *low - v});
-  return beyond / (*high > *low ? *high - *low : magnitude(reference));
+  double const size = magnitude(reference);
+  return beyond / (*high - *low > flat * size ? *high - *low : size);
 }
 
 }  // namespace g27
