@@ -14,6 +14,8 @@ struct Medium {
   ExactEos exact;
   GasState<> base;  ///< at rest
   double sound;     ///< sound speed there [m/s]
+  /// relative change of density at the base's pressure that keeps off the cold curve: little in a condensed medium
+  double density_swing;
 };
 
 /// ideal: gamma 1.4, rho = 1, c = 1. stiffened: water (gamma 4.4, p_inf 0.6 GPa) at 1 bar. jwl: the TNT-RDX products of
