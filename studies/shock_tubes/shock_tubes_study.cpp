@@ -17,6 +17,9 @@
 namespace g27 {
 namespace {
 
+constexpr double overshoot_target = 0.01;   ///< of the jump
+constexpr double variation_margin = 0.001;  ///< of the variation
+
 struct Scheme {
   std::string name;
   Predictor predictor;
@@ -186,7 +189,7 @@ StudyReport run(StudyContext const& context) {
               .rows = {},
               .facts = {{"cfl", 0.8}}};
   Hdf5Writer profiles;
-  Tally accuracy, bounded, variation, slow, positive;
+  Tally accuracy, bounded, compared, variation, slow, positive;
   std::size_t done = 0;
   for (Problem const& problem : problems()) {
     std::string const name = label(problem);
@@ -206,23 +209,29 @@ StudyReport run(StudyContext const& context) {
       if (auto const recorded = recorded_error(name, s.name)) {
         double const error =
             recorded->absolute ? density_error(*r) : density_error(*r) / density_error(*row.at("godunov"));
-        accuracy.add(scheme, error - recorded->value - recorded->rounding,
+        accuracy.add(scheme, error - recorded->value - recorded->margin,
                      fmt::format("{:.4g} ({:.4g})", error, recorded->value));
       }
       if (modified) {
-        double const overshoot = worst_of(r->overshoot);
-        bounded.add(scheme, overshoot - 0.01, fmt::format("{:.2g} %", 100 * overshoot));
-        double const tv = r->tv_excess.at("density"), muscl = row.at("muscl")->tv_excess.at("density");
+        double const overshoot = worst_of(r->overshoot), size = 100 * overshoot;
+        double const unswitched =
+            std::max(worst_of(row.at("godunov")->overshoot), worst_of(row.at("muscl")->overshoot));
+        bounded.add(scheme, overshoot - overshoot_target, fmt::format("{:.2g} %", size));
+        compared.add(scheme, overshoot - std::max(overshoot_target, unswitched),
+                     fmt::format("{:.2g} % ({:.2g} %)", size, 100 * unswitched));
+        // a variation below the reference's is smearing, no merit: it counts as none
+        double const tv = r->tv_excess.at("density"), muscl = std::max(row.at("muscl")->tv_excess.at("density"), 0.0);
         (problem.name == "slow-shock" ? slow : variation)
-            .add(scheme, tv - muscl, fmt::format("{:.3f} ({:.3f})", tv, muscl));
+            .add(scheme, tv - muscl - variation_margin, fmt::format("{:.3f} ({:.3f})", tv, muscl));
       }
     }
   }
   profiles.save(context.out / "profiles.h5");
   return {{table},
-          {accuracy.finding("density error over Godunov's no worse than recorded (in brackets)"),
+          {accuracy.finding("density error over Godunov's no worse than that on record (in brackets)"),
            bounded.finding("overshoot in any variable <= 1 % of the jump where a switch acts"),
-           variation.finding("excess total variation of density <= MUSCL van Leer's (in brackets)"),
+           compared.finding("overshoot <= 1 % or the larger of Godunov's and MUSCL van Leer's (in brackets)"),
+           variation.finding("excess total variation of density no larger than MUSCL van Leer's (in brackets)"),
            slow.finding("the same on the slow shock"),
            positive.finding("every problem is survived without a negative density or pressure")}};
 }
