@@ -34,7 +34,9 @@ struct LaneTraits<stdx::simd<double, Abi>> {
 };
 
 template <class V>
-concept Lane = requires { typename LaneTraits<V>::Mask; };
+concept Lane = requires {
+  typename LaneTraits<V>::Mask;
+};
 template <Lane V>
 using Mask = typename LaneTraits<V>::Mask;
 template <Lane V>

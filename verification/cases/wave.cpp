@@ -13,7 +13,8 @@ Case wave_case(std::string const& name, std::string const& title, double amplitu
     Medium const m = medium(options.eos.value_or("ideal"));
     GasState<> const base{m.base.rho, 0.3 * m.sound, m.base.p};
     double const a = amplitude * m.sound, k = 2.0 * std::numbers::pi;
-    auto const wave = std::make_shared<SimpleWave>(m.exact, base, [=](double x) { return a * std::sin(k * x); }, a);
+    auto const wave = std::make_shared<SimpleWave>(
+        m.exact, base, [=](double x) { return a * std::sin(k * x); }, a);
     LineProblem line{.eos = m.eos, .t_end = periods / (1.3 * m.sound)};
     make_periodic(line);
     auto const at = [=](double t) {

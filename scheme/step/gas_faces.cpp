@@ -1,0 +1,166 @@
+#include <omp.h>
+
+#include <algorithm>
+
+#include "scheme/step/gas_line_impl.hpp"
+
+namespace g27 {
+
+namespace {
+
+constexpr double increment_share = 0.2;  ///< least share of rho and margin that a half-step increment leaves
+
+}  // namespace
+
+bool GasLine::Impl::set_increments(double dt) {
+  if (!curved && !setup.source.primitive_rate) return false;
+  if (predictor == PredictorKernel::godunov) return false;
+  double const alpha = static_cast<double>(setup.symmetry);
+  for (std::ptrdiff_t i = -1; i <= cells(); ++i) {
+    GasState<> d{0, 0, 0};
+    double const x = line.center(i);
+    if (curved) d = {-alpha * now.rho[i] * now.u[i] / x, 0.0, -alpha * now.K[i] * now.u[i] / x};
+    if (setup.source.primitive_rate) {
+      // the mean over the step of what has accumulated along a characteristic is half a step of the rate a third on
+      GasState<> const r = setup.source.primitive_rate(x, time + dt / 3.0);
+      d = {d.rho + r.rho, d.u + r.u, d.p + r.p};
+    }
+    d = {0.5 * dt * d.rho, 0.5 * dt * d.u, 0.5 * dt * d.p};
+    bool const deep =
+        now.rho[i] + d.rho < increment_share * now.rho[i] || now.margin[i] + d.p < increment_share * now.margin[i];
+    if (deep) d = {0, 0, 0};
+    inc_rho[i] = d.rho, inc_u[i] = d.u, inc_p[i] = d.p;
+  }
+  return true;
+}
+
+void GasLine::Impl::predict(FaceRun const& run, std::ptrdiff_t f, std::size_t count, FaceProblems& b) const noexcept {
+  std::ptrdiff_t const c = f - 1;  // the cell on the left of face f
+  PredictArguments const g{.faces = count,
+                           .rho = now.rho.data() + c,
+                           .u = now.u.data() + c,
+                           .p = now.p.data() + c,
+                           .K = now.K.data() + c,
+                           .h = line.h.data() + c,
+                           .inv_pair = line.inv_pair.data() + c,
+                           .inv_triple = line.inv_triple.data() + c,
+                           .w = line.w.data() + f,
+                           .inc_rho = run.increments ? inc_rho.data() + c : nullptr,
+                           .inc_u = inc_u.data() + c,
+                           .inc_p = inc_p.data() + c,
+                           .foot_shift = cell_feet ? line.foot_shift[run.side].data() + f : nullptr,
+                           .foot_factor = cell_feet ? line.foot_factor[run.side].data() + f : nullptr,
+                           .dt = run.dt,
+                           .exponent = exponent,
+                           .linear_star = run.linear_star,
+                           .l_rho = b.l_rho.data(),
+                           .l_u = b.l_u.data(),
+                           .l_p = b.l_p.data(),
+                           .r_rho = b.r_rho.data(),
+                           .r_u = b.r_u.data(),
+                           .r_p = b.r_p.data(),
+                           .s_rho = b.s_rho.data(),
+                           .s_u = b.s_u.data(),
+                           .s_p = b.s_p.data(),
+                           .switched = b.switched.data(),
+                           .strong = b.strong.data()};
+  kernels.predict->table[static_cast<std::size_t>(run.predictor)][line.uniform() ? 1 : 0](g);
+}
+
+std::size_t GasLine::Impl::solve(std::ptrdiff_t f, std::size_t count, FaceProblems& b, GasFaces& out,
+                                 std::ptrdiff_t to) const noexcept {
+  std::ptrdiff_t const c = f - 1;
+  SolveArguments g{.faces = count,
+                   .eos = eos,
+                   .rho = now.rho.data() + c,
+                   .u = now.u.data() + c,
+                   .p = now.p.data() + c,
+                   .margin = now.margin.data() + c,
+                   .w = line.w.data() + f,
+                   .lagrangian = setup.motion.kind == MeshMotion::Kind::lagrangian,
+                   .l_rho = b.l_rho.data(),
+                   .l_u = b.l_u.data(),
+                   .l_p = b.l_p.data(),
+                   .r_rho = b.r_rho.data(),
+                   .r_u = b.r_u.data(),
+                   .r_p = b.r_p.data(),
+                   .s_rho = b.s_rho.data(),
+                   .s_u = b.s_u.data(),
+                   .s_p = b.s_p.data(),
+                   .strong = b.strong.data(),
+                   .f_mass = out.mass.data() + to,
+                   .f_momentum = out.momentum.data() + to,
+                   .f_energy = out.energy.data() + to,
+                   .face_p = out.p.data() + to,
+                   .face_u = out.u.data() + to,
+                   .failures = 0};
+  law.solve[static_cast<std::size_t>(setup.options.riemann)](g);
+  return g.failures;
+}
+
+void GasLine::Impl::image_in_wall(FaceRun run, std::ptrdiff_t f, bool wall_on_left, FaceProblems& b,
+                                  std::size_t at) noexcept {
+  FaceProblems& one = wall_problems[wall_on_left ? 0 : 1];
+  run.linear_star = false;
+  predict(run, f, 1, one);
+  double const w = line.w[f];
+  GasState<> s = wall_on_left ? GasState<>{one.r_rho[0], one.r_u[0], one.r_p[0]}
+                              : GasState<>{one.l_rho[0], one.l_u[0], one.l_p[0]};
+  std::ptrdiff_t const i = static_cast<std::ptrdiff_t>(at);
+  double const image = 2.0 * w - s.u;
+  b.l_rho[i] = b.r_rho[i] = s.rho, b.l_p[i] = b.r_p[i] = s.p;
+  b.l_u[i] = wall_on_left ? image : s.u, b.r_u[i] = wall_on_left ? s.u : image;
+  b.strong[i] = 1.0;
+}
+
+std::size_t GasLine::Impl::run_faces(FaceRun const& run, std::ptrdiff_t begin, std::size_t count, FaceProblems& b,
+                                     GasFaces& out, std::ptrdiff_t to) noexcept {
+  predict(run, begin, count, b);
+  std::ptrdiff_t const end = begin + static_cast<std::ptrdiff_t>(count);
+  if (begin == 0 && is_wall(setup.left)) image_in_wall(run, 0, true, b, 0);
+  if (end == cells() + 1 && is_wall(setup.right)) image_in_wall(run, cells(), false, b, count - 1);
+  std::size_t const failures = solve(begin, count, b, out, to);
+  if (begin == 0 && is_wall(setup.left)) seal(out, to, line.w[0]);
+  if (end == cells() + 1 && is_wall(setup.right))
+    seal(out, to + static_cast<std::ptrdiff_t>(count) - 1, line.w[cells()]);
+  return failures;
+}
+
+void GasLine::Impl::seal(GasFaces& out, std::ptrdiff_t f, double w) noexcept {
+  out.mass[f] = 0.0, out.momentum[f] = out.p[f], out.energy[f] = out.p[f] * w, out.u[f] = w;
+}
+
+std::size_t GasLine::Impl::all_faces(FaceRun const& run, GasFaces& out) {
+  std::ptrdiff_t const count = cells() + 1, chunks = (count + static_cast<std::ptrdiff_t>(face_chunk) - 1) /
+                                                     static_cast<std::ptrdiff_t>(face_chunk);
+  double switched = 0, strong = 0;
+  std::size_t failures = 0;
+  int const threads = n >= parallel_threshold ? setup.options.threads : 1;
+  auto const one_chunk = [&](std::ptrdiff_t k, FaceProblems& b, double& sw, double& st, std::size_t& fail) {
+    std::ptrdiff_t const begin = k * static_cast<std::ptrdiff_t>(face_chunk);
+    std::size_t const len = static_cast<std::size_t>(std::min<std::ptrdiff_t>(face_chunk, count - begin));
+    fail += run_faces(run, begin, len, b, out, begin);
+    for (std::size_t i = 0; i < len; ++i) {
+      std::ptrdiff_t const j = static_cast<std::ptrdiff_t>(i);
+      double const acted = b.switched[j] > 0 ? 1.0 : 0.0;
+      switch_counts[static_cast<std::size_t>(begin) + i] += acted;
+      sw += acted, st += b.strong[j];
+    }
+  };
+  if (threads <= 1) {
+    for (std::ptrdiff_t k = 0; k < chunks; ++k) one_chunk(k, problems[0], switched, strong, failures);
+  } else {
+    // counts are small integers: their sums do not depend on the order
+#pragma omp parallel for num_threads(threads) schedule(static) reduction(+ : switched, strong, failures)
+    for (std::ptrdiff_t k = 0; k < chunks; ++k) {
+      one_chunk(k, problems[static_cast<std::size_t>(omp_get_thread_num())], switched, strong, failures);
+    }
+  }
+  if (setup.left.kind == GasBoundary::Kind::periodic) out.copy_face(count - 1, out, 0);
+  counters.faces += static_cast<std::uint64_t>(count);
+  counters.switched += static_cast<std::uint64_t>(switched);
+  counters.linear_star += static_cast<std::uint64_t>(static_cast<double>(count) - strong);
+  return failures;
+}
+
+}  // namespace g27

@@ -1,0 +1,154 @@
+#pragma once
+/// Inside of GasLine: its arrays, and the stages of a step in the order in which they run. gas_line.cpp has the state
+/// and the interface, gas_step.cpp the step's control, gas_faces.cpp predictor and Riemann problems, gas_corrector.cpp
+/// the corrector and its repairs.
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "scheme/kernel/gas_kernels.hpp"
+#include "scheme/step/gas_boundary.hpp"
+#include "scheme/step/gas_fields.hpp"
+#include "scheme/step/gas_line.hpp"
+
+namespace g27 {
+
+inline constexpr std::size_t face_chunk = 256;  ///< faces handled at a time: their arrays stay in the first cache
+inline constexpr std::size_t parallel_threshold = 8192;  ///< cells below which threads cost more than they bring
+inline constexpr double repair_share = 1e-3;             ///< least rho and margin a step may leave, over the old ones
+
+/// Sum that loses nothing to round-off over millions of steps (Neumaier).
+struct Accumulator {
+  double sum = 0, lost = 0;
+  void add(double v) noexcept {
+    double const t = sum + v;
+    lost += std::fabs(sum) >= std::fabs(v) ? (sum - t) + v : (v - t) + sum;
+    sum = t;
+  }
+  [[nodiscard]] double value() const noexcept { return sum + lost; }
+};
+struct Accumulators {
+  Accumulator mass, momentum, energy;
+  void add(double m, double q, double e) noexcept { mass.add(m), momentum.add(q), energy.add(e); }
+};
+
+struct GasLine::Impl {
+  GasLineSetup setup;
+  GasKernels const& kernels = gas_kernels();
+  PredictorKernel predictor;
+  EosKernels const& law;
+  std::size_t n;
+  void const* eos;
+  double exponent = 1.0;
+  bool moving, curved, plain, cell_feet;
+  Line line;
+  GasCells now, next;
+  GasFaces faces, other_faces;  ///< `other_faces`: as the cell on the right sees them, with the points of OG (3.10)
+  Padded inc_rho, inc_u, inc_p, src_mass, src_momentum, src_energy;
+  std::vector<double> switch_counts;
+  std::vector<char> redone;
+  std::vector<FaceProblems> problems;  ///< one a thread
+  FaceProblems wall_problems[2]{FaceProblems(16), FaceProblems(16)};
+  double time = 0, rate = 0, largest_density = 0;
+  GasCounters counters;
+  Accumulators initial, boundary, source, floor;
+  GasConserved<> scale{0, 0, 0};
+
+  explicit Impl(GasLineSetup s);
+  /// Number of cells of a setup that makes sense; throws std::invalid_argument otherwise.
+  static std::size_t checked_cells(GasLineSetup const& s);
+
+  [[nodiscard]] std::ptrdiff_t cells() const noexcept { return static_cast<std::ptrdiff_t>(n); }
+
+  /// Primitive variables of `count` cells from their averages.
+  void primitives(GasCells& c, std::ptrdiff_t begin, std::size_t count) const noexcept;
+
+  /// Total energy per volume [J/m^3].
+  [[nodiscard]] double energy_density(GasState<> const& s) const noexcept;
+
+  /// Takes the averages in `now` as the state at t: counters, ledger and signal rate start here.
+  void start(double t);
+
+  /// Adds the integrals of the conserved densities; of their magnitudes too, where asked.
+  void add_totals(Accumulators& a, GasConserved<>* magnitude) const noexcept;
+
+  /// Largest signal speed over width; with the mesh's own speed when `relative`.
+  [[nodiscard]] double signal_rate(GasCells const& c, bool relative) const noexcept;
+
+  /// Face speeds for a step from `time`; the contact's own speed comes later for Lagrangian faces.
+  void set_face_speeds(double dt);
+
+  /// Walls stand, pistons move, whatever the mesh does.
+  void fix_boundary_speed(GasBoundary const& b, std::ptrdiff_t f, double dt) noexcept;
+
+  /// Half-step increments of geometry (alpha rho u / r, alpha K u / r) and of manufactured sources.
+  bool set_increments(double dt);
+
+  /// How a run over faces is made.
+  struct FaceRun {
+    PredictorKernel predictor;
+    bool increments, linear_star;
+    double dt;
+    int side = 0;  ///< OG (3.10): for the cell on the left (0) or on the right (1)
+  };
+
+  /// Predictor on the faces [f, f + count).
+  void predict(FaceRun const& run, std::ptrdiff_t f, std::size_t count, FaceProblems& b) const noexcept;
+
+  /// Riemann problems and fluxes of the predicted faces [f, f + count), written to out at `to`. Returns failures.
+  std::size_t solve(std::ptrdiff_t f, std::size_t count, FaceProblems& b, GasFaces& out,
+                    std::ptrdiff_t to) const noexcept;
+
+  /// A wall's Riemann problem: the gas beside it against its own image in the moving wall.
+  void image_in_wall(FaceRun run, std::ptrdiff_t f, bool wall_on_left, FaceProblems& b, std::size_t at) noexcept;
+
+  /// Predictor and Riemann problems of the faces [begin, begin + count), written to out at `to`. Returns failures.
+  std::size_t run_faces(FaceRun const& run, std::ptrdiff_t begin, std::size_t count, FaceProblems& b, GasFaces& out,
+                        std::ptrdiff_t to) noexcept;
+
+  /// Nothing passes a wall but its push and its work: exactly, not to round-off.
+  static void seal(GasFaces& out, std::ptrdiff_t f, double w) noexcept;
+
+  /// Every face of the line, in chunks, on the threads asked for. Returns failures.
+  std::size_t all_faces(FaceRun const& run, GasFaces& out);
+
+  /// Corrects the cells [begin, begin + count) into `out` at `to`; returns {worst share, signal rate}.
+  std::pair<double, double> correct(double dt, std::ptrdiff_t begin, std::size_t count, GasCells& out,
+                                    std::ptrdiff_t to) const noexcept;
+
+  /// The corrector with two fluxes a face, OG (3.10): not conservative.
+  std::pair<double, double> correct_with_cell_feet(double dt);
+
+  /// Manufactured sources of the step, integrated over the cells and the step.
+  void set_sources(double dt);
+
+  /// The new state of a cell has less than `share` of its density or pressure margin left, or is not finite.
+  [[nodiscard]] bool bad(std::ptrdiff_t i, double share) const noexcept;
+
+  /// A posteriori: the faces of cells that lost nearly all of their density or pressure are redone at first order and
+  /// their neighbours corrected again, until none is left or nothing more can be redone.
+  void repair(FaceRun const& run, double dt);
+
+  /// Raises what is still not admissible to the vacuum floor; false where that does not help either.
+  bool floor_vacuum();
+
+  /// The first cell that is not admissible.
+  [[nodiscard]] std::size_t first_bad() const noexcept;
+
+  /// Time step by the CFL condition times `shrink`, with the face speeds that go with it.
+  double choose_dt(double t_end, double shrink);
+
+  /// A step, halved and tried again as long as it fails.
+  StepReport step(double t_end);
+
+  /// One attempt: everything up to the new state in `next`.
+  bool try_step(double dt, double& new_rate);
+
+  /// The corrector on every cell; returns {worst share, signal rate}.
+  std::pair<double, double> correct_all(double dt);
+
+  /// The new state becomes the state; boundary fluxes and sources go to the ledger.
+  void accept(double dt, double new_rate);
+};
+
+}  // namespace g27
