@@ -83,7 +83,7 @@ StepReport GasLine::Impl::step(double t_end) {
     double const dt = choose_dt(t_end, shrink);
     report.dt = dt;
     if (!(dt > 0) || !(time + dt > time)) return {StepStatus::time_step_vanished, 0, dt};
-    bool sound = line.sweep(dt);
+    bool sound = !moving || line.sweep(dt);
     report.status = StepStatus::mesh_tangled;
     double new_rate = 0;
     if (sound) {
