@@ -40,6 +40,14 @@ struct PredictArguments {
   double* strong;  ///< out: 1 where the Riemann problem is to be solved, else 0
 };
 
+/// Counts over a chunk of faces.
+struct CountArguments {
+  std::size_t faces;
+  double const *switched, *strong;      ///< from the predictor
+  double* map;                          ///< faces: one more where the switch acted
+  double faces_switched, faces_strong;  ///< out
+};
+
 struct SolveArguments {
   std::size_t faces;
   void const* eos;
@@ -96,6 +104,7 @@ struct GasKernels {
   struct Predictors {
     std::size_t width;
     PredictTable table;
+    void (*count)(CountArguments&);
   };
 
   char const* isa;

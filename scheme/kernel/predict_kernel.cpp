@@ -21,7 +21,8 @@ constexpr GasKernels::Predictors predictors{width<Simd>,
                                               general_mesh<LinearPredictor<Switch::off, true>, true>,
                                               both_meshes<ParabolicPredictor<false>>,
                                               both_meshes<ParabolicPredictor<true>>,
-                                              {&predict_muscl<false, Simd>, &predict_muscl<true, Simd>}}}};
+                                              {&predict_muscl<false, Simd>, &predict_muscl<true, Simd>}}},
+                                            &count<Simd>};
 
 }  // namespace G27_ISA
 }  // namespace g27

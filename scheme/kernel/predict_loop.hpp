@@ -69,6 +69,24 @@ void predict(PredictArguments const& g) noexcept {
   }
 }
 
+/// Counts are small integers: their sums do not depend on the order.
+template <Lane V>
+void count(CountArguments& g) noexcept {
+  V const one(1.0), zero(0.0);
+  V switched(0.0), strong(0.0);
+  std::size_t f = 0;
+  for (; f + width<V> <= g.faces; f += width<V>) {
+    V const acted = select(load<V>(g.switched + f) > 0.0, one, zero);
+    store(g.map + f, V(load<V>(g.map + f) + acted));
+    switched += acted, strong += load<V>(g.strong + f);
+  }
+  for (std::size_t i = 0; i < width<V>; ++i) g.faces_switched += lane(switched, i), g.faces_strong += lane(strong, i);
+  for (; f < g.faces; ++f) {
+    double const acted = g.switched[f] > 0.0 ? 1.0 : 0.0;
+    g.map[f] += acted, g.faces_switched += acted, g.faces_strong += g.strong[f];
+  }
+}
+
 /// MUSCL computes its edges once a cell: a pass over the cells, then one over the faces.
 template <bool uniform, Lane V>
 void predict_muscl(PredictArguments const& g) noexcept {

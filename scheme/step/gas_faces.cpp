@@ -140,12 +140,14 @@ std::size_t GasLine::Impl::all_faces(FaceRun const& run, GasFaces& out) {
     std::ptrdiff_t const begin = k * static_cast<std::ptrdiff_t>(face_chunk);
     std::size_t const len = static_cast<std::size_t>(std::min<std::ptrdiff_t>(face_chunk, count - begin));
     fail += run_faces(run, begin, len, b, out, begin);
-    for (std::size_t i = 0; i < len; ++i) {
-      std::ptrdiff_t const j = static_cast<std::ptrdiff_t>(i);
-      double const acted = b.switched[j] > 0 ? 1.0 : 0.0;
-      switch_counts[static_cast<std::size_t>(begin) + i] += acted;
-      sw += acted, st += b.strong[j];
-    }
+    CountArguments counts{.faces = len,
+                          .switched = b.switched.data(),
+                          .strong = b.strong.data(),
+                          .map = switch_counts.data() + begin,
+                          .faces_switched = 0,
+                          .faces_strong = 0};
+    kernels.predict->count(counts);
+    sw += counts.faces_switched, st += counts.faces_strong;
   };
   if (threads <= 1) {
     for (std::ptrdiff_t k = 0; k < chunks; ++k) one_chunk(k, problems[0], switched, strong, failures);
