@@ -1,11 +1,25 @@
 #pragma once
 /// Cells along a line that may move: widths, measures and face areas in planar, cylindrical and spherical symmetry.
 #include <cstddef>
+#include <new>
 #include <vector>
 
 #include "scheme/step/gas_options.hpp"
 
 namespace g27 {
+
+/// Allocates on cache lines: a SIMD vector that starts at element 0 then crosses none.
+template <class T>
+struct CacheLineAllocator {
+  using value_type = T;
+  static constexpr std::align_val_t line{64};
+  CacheLineAllocator() = default;
+  template <class U>
+  CacheLineAllocator(CacheLineAllocator<U> const&) noexcept {}
+  T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), line)); }
+  void deallocate(T* p, std::size_t) noexcept { ::operator delete(p, line); }
+  friend bool operator==(CacheLineAllocator, CacheLineAllocator) noexcept { return true; }
+};
 
 /// A vector of doubles that may be read and written a whole SIMD vector beyond both ends.
 class Padded {
@@ -20,7 +34,7 @@ class Padded {
 
  private:
   static constexpr std::ptrdiff_t offset = front;
-  std::vector<double> data_;
+  std::vector<double, CacheLineAllocator<double>> data_;
 };
 
 /// Measure between two positions: length, area per radian or volume per steradian; integral of x^alpha.
