@@ -28,8 +28,9 @@ def panel(axis, curves, ratios, k):
         axis.errorbar(error, time, yerr=[np.zeros_like(time), time * np.expm1(spread)], color=colour, marker=marker,
                       ms=3, lw=1, capsize=2, label=label)
         if scheme == "godunov" and error.min() > target:
-            slope = np.polyfit(np.log(error[-4:]), np.log(time[-4:]), 1)[0]
-            axis.plot([error[-1], target], [time[-1], time[-1] * (target / error[-1]) ** slope], ":", color=colour,
+            line = np.polyfit(np.log(error[-4:]), np.log(time[-4:]), 1)
+            ends = np.array([error[-1], target])
+            axis.plot(ends, np.exp(np.polyval(line, np.log(ends))), ":", color=colour,
                       label="extrapolated")
     axis.axvline(target, color="k", lw=0.6, ls="--")
     axis.set_xscale("log")

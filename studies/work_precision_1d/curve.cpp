@@ -17,10 +17,11 @@ TimeAtError extrapolate(std::span<CurvePoint const> curve, double error) {
   for (CurvePoint const& p : last) x.push_back(std::log(p.error)), y.push_back(std::log(p.seconds));
   double at_zero = 0, slope = 0, cov00 = 0, cov01 = 0, cov11 = 0, residual = 0;
   gsl_fit_linear(x.data(), 1, y.data(), 1, x.size(), &at_zero, &slope, &cov00, &cov01, &cov11, &residual);
-  double const distance = std::log(error) - x.back();
+  double line = 0, deviation = 0;
+  gsl_fit_linear_est(std::log(error), at_zero, slope, cov00, cov01, cov11, &line, &deviation);
   return {.kind = TimeAtError::Kind::extrapolated,
-          .seconds = std::exp(y.back() + slope * distance),
-          .uncertainty = last.back().spread + 2.0 * std::sqrt(cov11) * std::fabs(distance)};
+          .seconds = std::exp(line),
+          .uncertainty = last.back().spread + 2.0 * deviation};
 }
 
 }  // namespace

@@ -14,12 +14,13 @@ struct CurvePoint {
 struct TimeAtError {
   enum class Kind {
     interpolated,
-    extrapolated,  ///< finer than the finest grid: along the slope fitted to the last four
+    extrapolated,  ///< finer than the finest grid: along the line fitted to the last four
     coarsest       ///< the coarsest grid is already better: its time, an upper bound
   };
   Kind kind = Kind::interpolated;
   double seconds = 0;
-  double uncertainty = 0;  ///< of ln(seconds): repeatability, and the slope's where extrapolated
+  double uncertainty =
+      0;  ///< of ln(seconds): repeatability, and twice the line's standard deviation where extrapolated
 };
 
 /// Time at which the curve, of increasing cells, first reaches `error`: piecewise linear in the logarithms.

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double enough_cpu = 0.02;   ///< stepping time a grid and scheme is repeated for [s]
 constexpr double most_clock = 0.05;   ///< clock time after which the repetitions of a grid and scheme end [s]
-constexpr int least_repetitions = 4;  ///< whatever the grid costs
+constexpr int least_repetitions = 6;  ///< whatever the grid costs
 
 enum Scheme { godunov, linear, parabolic, muscl };
 constexpr std::array schemes{godunov, linear, parabolic, muscl};
