@@ -1,56 +1,10 @@
-#include <algorithm>
-#include <cmath>
-#include <memory>
-#include <numbers>
-
-#include "verification/cases/line_problem.hpp"
-#include "verification/cases/media.hpp"
-#include "verification/mms/manufactured_1d.hpp"
+#include "verification/cases/manufactured_problem.hpp"
 
 namespace g27 {
 
-namespace {
-
-/// Travelling waves of 10 % in all three variables (density in Mie-Grueneisen 2 %: with 10 % it would lie below the
-/// cold curve), at speeds that are no characteristic of the gas.
-template <class Law>
-LineProblem manufactured(Medium const& m, Law const& law) {
-  double const k = 2.0 * std::numbers::pi, c = m.sound, rho0 = m.base.rho, K = rho0 * c * c, p0 = m.base.p;
-  double const swing = std::min(0.1, 2.0 * m.density_swing);
-  auto const rho = [=](auto x, auto t) {
-    using std::sin;
-    return rho0 * (1.0 + swing * sin(k * (x - 0.6 * c * t)));
-  };
-  auto const u = [=](auto x, auto t) {
-    using std::cos;
-    return c * (0.3 + 0.1 * cos(k * (x + 0.4 * c * t)));
-  };
-  auto const p = [=](auto x, auto t) {
-    using std::sin;
-    return p0 + 0.1 * K * (1.1 + sin(k * (x - 0.2 * c * t) + 1.0));
-  };
-  LineProblem line{.eos = m.eos, .t_end = 0.5 / c};
-  Manufactured1d const fields(rho, u, p, law);
-  line.source = fields.gas_source();
-  line.initial = [=](double a, double b) { return fields.average(a, b, 0.0); };
-  line.reference = [=, t = line.t_end](double a, double b) { return fields.average(a, b, t); };
-  make_periodic(line);
-  return line;
-}
-
-}  // namespace
-
 Case mms_1d_case() {
-  return {.name = "mms-1d",
-          .title = "manufactured waves in all variables, driven by their source terms",
-          .source = "method of manufactured solutions: Roache, J. Fluids Eng. 124 (2002) 4",
-          .default_cells = 160,
-          .eos = media(),
-          .run = [](CaseOptions const& options) {
-            Medium const m = medium(options.eos.value_or("ideal"));
-            LineProblem const line = std::visit([&](auto const& law) { return manufactured(m, law); }, m.exact);
-            return run_problem("mms-1d", 160, line, options);
-          }};
+  return manufactured_case("mms-1d", "manufactured waves in all variables, driven by their source terms",
+                           Symmetry::planar);
 }
 
 }  // namespace g27
