@@ -12,14 +12,23 @@ constexpr double increment_share = 0.2;  ///< least share of rho and margin that
 
 }  // namespace
 
+double GasLine::Impl::geometric_divergence(std::ptrdiff_t i) const noexcept {
+  double const x0 = line.center(i) - 0.5 * line.h[i], x1 = line.center(i) + 0.5 * line.h[i];
+  double const u0 = 0.5 * (now.u[i - 1] + now.u[i]), u1 = 0.5 * (now.u[i] + now.u[i + 1]);
+  double const flow = swept_area(setup.symmetry, x1, x1) * u1 - swept_area(setup.symmetry, x0, x0) * u0;
+  return flow / measure_between(setup.symmetry, x0, x1) - (u1 - u0) * line.inv_h[i];
+}
+
 bool GasLine::Impl::set_increments(double dt) {
   if (!curved && !setup.source.primitive_rate) return false;
   if (predictor == PredictorKernel::godunov) return false;
-  double const alpha = static_cast<double>(setup.symmetry);
   for (std::ptrdiff_t i = -1; i <= cells(); ++i) {
     GasState<> d{0, 0, 0};
     double const x = line.center(i);
-    if (curved) d = {-alpha * now.rho[i] * now.u[i] / x, 0.0, -alpha * now.K[i] * now.u[i] / x};
+    if (curved) {
+      double const spread = geometric_divergence(i);
+      d = {-now.rho[i] * spread, 0.0, -now.K[i] * spread};
+    }
     if (setup.source.primitive_rate) {
       // the mean over the step of what has accumulated along a characteristic is half a step of the rate a third on
       GasState<> const r = setup.source.primitive_rate(x, time + dt / 3.0);
@@ -36,20 +45,39 @@ bool GasLine::Impl::set_increments(double dt) {
 
 void GasLine::Impl::predict(FaceRun const& run, std::ptrdiff_t f, std::size_t count, FaceProblems& b) const noexcept {
   std::ptrdiff_t const c = f - 1;  // the cell on the left of face f
+  predict_row(run, count,
+              {.rho = now.rho.data() + c,
+               .u = now.u.data() + c,
+               .p = now.p.data() + c,
+               .K = now.K.data() + c,
+               .h = line.h.data() + c,
+               .inv_pair = line.inv_pair.data() + c,
+               .inv_triple = line.inv_triple.data() + c,
+               .w = line.w.data() + f,
+               .inc_rho = inc_rho.data() + c,
+               .inc_u = inc_u.data() + c,
+               .inc_p = inc_p.data() + c,
+               .foot_shift = cell_feet ? line.foot_shift[run.side].data() + f : nullptr,
+               .foot_factor = cell_feet ? line.foot_factor[run.side].data() + f : nullptr},
+              b);
+}
+
+void GasLine::Impl::predict_row(FaceRun const& run, std::size_t count, PredictorRow const& row,
+                                FaceProblems& b) const noexcept {
   PredictArguments const g{.faces = count,
-                           .rho = now.rho.data() + c,
-                           .u = now.u.data() + c,
-                           .p = now.p.data() + c,
-                           .K = now.K.data() + c,
-                           .h = line.h.data() + c,
-                           .inv_pair = line.inv_pair.data() + c,
-                           .inv_triple = line.inv_triple.data() + c,
-                           .w = line.w.data() + f,
-                           .inc_rho = run.increments ? inc_rho.data() + c : nullptr,
-                           .inc_u = inc_u.data() + c,
-                           .inc_p = inc_p.data() + c,
-                           .foot_shift = cell_feet ? line.foot_shift[run.side].data() + f : nullptr,
-                           .foot_factor = cell_feet ? line.foot_factor[run.side].data() + f : nullptr,
+                           .rho = row.rho,
+                           .u = row.u,
+                           .p = row.p,
+                           .K = row.K,
+                           .h = row.h,
+                           .inv_pair = row.inv_pair,
+                           .inv_triple = row.inv_triple,
+                           .w = row.w,
+                           .inc_rho = run.increments ? row.inc_rho : nullptr,
+                           .inc_u = row.inc_u,
+                           .inc_p = row.inc_p,
+                           .foot_shift = row.foot_shift,
+                           .foot_factor = row.foot_factor,
                            .dt = run.dt,
                            .exponent = exponent,
                            .linear_star = run.linear_star,
@@ -65,6 +93,21 @@ void GasLine::Impl::predict(FaceRun const& run, std::ptrdiff_t f, std::size_t co
                            .switched = b.switched.data(),
                            .strong = b.strong.data()};
   kernels.predict->table[static_cast<std::size_t>(run.predictor)][line.uniform() ? 1 : 0](g);
+}
+
+void GasLine::Impl::predict_mirrored(FaceRun const& run, std::ptrdiff_t f, FaceProblems& b) noexcept {
+  // the cells f + 1, f | f - 1, f - 2 become -1, 0 | 1, 2 of a row of one face
+  MirrorRow& m = mirror_row;
+  for (std::ptrdiff_t k = -1; k <= 2; ++k) {
+    std::ptrdiff_t const i = f - k;
+    m.rho[k] = now.rho[i], m.u[k] = -now.u[i], m.p[k] = now.p[i], m.K[k] = now.K[i];
+    m.h[k] = line.h[i], m.inv_triple[k] = line.inv_triple[i];
+    if (k < 2) m.inv_pair[k] = line.inv_pair[i - 1];
+    if (k == 0 || k == 1) m.inc_rho[k] = inc_rho[i], m.inc_u[k] = -inc_u[i], m.inc_p[k] = inc_p[i];
+  }
+  m.w[0] = -line.w[f], m.w[-1] = -line.w[f + 1];
+  if (cell_feet) m.foot_shift[0] = -line.foot_shift[run.side][f], m.foot_factor[0] = line.foot_factor[run.side][f];
+  predict_row(run, 1, m.row(), b);
 }
 
 std::size_t GasLine::Impl::solve(std::ptrdiff_t f, std::size_t count, FaceProblems& b, GasFaces& out,
@@ -102,12 +145,16 @@ void GasLine::Impl::image_in_wall(FaceRun run, std::ptrdiff_t f, bool wall_on_le
                                   std::size_t at) noexcept {
   FaceProblems& one = wall_problems[wall_on_left ? 0 : 1];
   run.linear_star = false;
-  predict(run, f, 1, one);
-  double const w = line.w[f];
-  GasState<> s = wall_on_left ? GasState<>{one.r_rho[0], one.r_u[0], one.r_p[0]}
-                              : GasState<>{one.l_rho[0], one.l_u[0], one.l_p[0]};
+  if (wall_on_left) {
+    predict_mirrored(run, f, one);
+  } else {
+    predict(run, f, 1, one);
+  }
+  // seen with the gas on the left; the image carries the same density and pressure and twice the wall's speed less its
+  // own
+  GasState<> const s{one.l_rho[0], wall_on_left ? -one.l_u[0] : one.l_u[0], one.l_p[0]};
   std::ptrdiff_t const i = static_cast<std::ptrdiff_t>(at);
-  double const image = 2.0 * w - s.u;
+  double const image = 2.0 * line.w[f] - s.u;
   b.l_rho[i] = b.r_rho[i] = s.rho, b.l_p[i] = b.r_p[i] = s.p;
   b.l_u[i] = wall_on_left ? image : s.u, b.r_u[i] = wall_on_left ? s.u : image;
   b.strong[i] = 1.0;

@@ -59,13 +59,13 @@ double GasLine::Impl::choose_dt(double t_end, double shrink) {
   double const target = shrink * setup.options.cfl;
   double dt = std::min(target / rate, left);
   if (moving) {
-    // the mesh's own speed counts, and it depends on the step where the motion is prescribed
+    // what counts is the speed relative to the mesh, and that depends on the step where the motion is prescribed
     for (int k = 0; k < 3; ++k) {
       set_face_speeds(dt);
-      double const allowed = target / signal_rate(now, true);
-      if (dt <= allowed) break;
-      dt = allowed;
+      dt = std::min(target / signal_rate(now, true), left);
     }
+    set_face_speeds(dt);
+    dt = std::min(dt, target / signal_rate(now, true));
   }
   if (time + dt > t_end - 1e-10 * dt) dt = left;
   if (moving) set_face_speeds(dt);

@@ -266,11 +266,17 @@ TEST_CASE("a piston drives the exact shock", "[gas][piston]") {
       setup.motion.kind = MeshMotion::Kind::stretched;
       GasLine line(std::move(setup));
       line.set_state([&](double) { return m.base; });
-      run_to(line, t_end);
+      run_to(line, 0.5 * t_end);
+      double push = 0;
+      while (line.time() < t_end) {
+        StepReport const step = line.step(t_end);
+        REQUIRE(step.status == StepStatus::ok);
+        push += step.dt * line.left_face().p;
+      }
       INFO(eos << " scheme " << static_cast<int>(predictor));
       CHECK(line.faces().front() == Approx(wall).epsilon(1e-12));
-      CHECK(line.left_face().p ==
-            Approx(exact.p_star()).epsilon(2e-3));  // what is left of the start-up after 100 steps
+      // a captured shock leaves ripples of a few 1e-3 behind; the mean over the second half of the way is free of them
+      CHECK(push / (0.5 * t_end) == Approx(exact.p_star()).epsilon(1e-3));
       double mass = 0;
       for (std::size_t i = 0; i < line.cells(); ++i) {
         double const x = 0.5 * (line.faces()[i] + line.faces()[i + 1]);
