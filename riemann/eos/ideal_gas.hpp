@@ -11,6 +11,7 @@ struct IdealGas {
   double gamma = 1.4;  ///< ratio of specific heats, > 1
 
   static constexpr char const* name = "ideal";
+  static constexpr bool linear_energy = true;  ///< rho e is linear in p and does not depend on rho
   static constexpr char const* title = "ideal gas: p = (gamma - 1) rho e";
   static constexpr std::array<EosParameter<IdealGas>, 1> parameters{
       {{"gamma", &IdealGas::gamma, "1", "ratio of specific heats", 1.0, 20.0}}};

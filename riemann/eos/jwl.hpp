@@ -18,6 +18,7 @@ struct Jwl {
   double rho0 = 1650.0;  ///< density of the unburnt charge [kg/m^3]; the defaults are TNT-RDX
 
   static constexpr char const* name = "jwl";
+  static constexpr bool linear_energy = false;  ///< rho e is linear in p alone
   static constexpr char const* title = "Jones-Wilkins-Lee: p = A exp(-R1 v) + B exp(-R2 v) + t, v = rho0/rho";
   static constexpr std::array<EosParameter<Jwl>, 6> parameters{
       {{"A", &Jwl::A, "Pa", "first exponential", 0.0, 1e14, true},

@@ -25,6 +25,7 @@ struct MieGruneisen {
   double Gamma0 = 2.0;   ///< Grueneisen parameter at rho0, < 2 s
 
   static constexpr char const* name = "mie-gruneisen";
+  static constexpr bool linear_energy = false;  ///< rho e is linear in p alone
   static constexpr char const* title = "Mie-Grueneisen on the Hugoniot U_s = c0 + s u_p";
   static constexpr std::array<EosParameter<MieGruneisen>, 4> parameters{
       {{"rho0", &MieGruneisen::rho0, "kg/m^3", "density at zero pressure", 0.0, 1e5},

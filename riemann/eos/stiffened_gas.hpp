@@ -13,6 +13,7 @@ struct StiffenedGas {
   double p_inf = 6e8;  ///< stiffness [Pa], >= 0; the defaults are water's
 
   static constexpr char const* name = "stiffened";
+  static constexpr bool linear_energy = true;  ///< rho e is linear in p and does not depend on rho
   static constexpr char const* title = "stiffened gas: p = (gamma - 1) rho e - gamma p_inf";
   static constexpr std::array<EosParameter<StiffenedGas>, 2> parameters{
       {{"gamma", &StiffenedGas::gamma, "1", "exponent of the isentropes of p + p_inf", 1.0, 20.0},

@@ -1,4 +1,5 @@
 /// What depends on the equation of state, of one instruction set and one law (G27_EOS, see isa.cmake).
+#include "scheme/kernel/average_loop.hpp"
 #include "scheme/kernel/solve_loop.hpp"
 #include "scheme/kernel/update_loop.hpp"
 
@@ -15,7 +16,8 @@ EosKernels const& eos_kernels<G27_EOS>() noexcept {
   static constexpr EosKernels table{.solve = {&solve<fast, G27_EOS, Simd>, &solve<RiemannSolver::exact, G27_EOS, Simd>,
                                               &solve<RiemannSolver::hllc, G27_EOS, Simd>},
                                     .primitive = &primitive<G27_EOS, Simd>,
-                                    .update = &update<G27_EOS, Simd>};
+                                    .update = &update<G27_EOS, Simd>,
+                                    .average = &average<G27_EOS, Simd>};
   return table;
 }
 

@@ -29,6 +29,7 @@ enum class PredictorKernel {
 struct PredictArguments {
   std::size_t faces;
   double const *rho, *u, *p, *K;            ///< cells, K = rho c^2
+  double const* dK_dp;                      ///< cells, dK/dp along the isentrope; predictors beyond second order
   double const *h, *inv_pair, *inv_triple;  ///< cells; inv_pair[j] = 1/(h[j] + h[j+1])
   double const* w;                          ///< faces
   double const *inc_rho, *inc_u, *inc_p;    ///< cells, half-step increments; null: none
@@ -37,6 +38,9 @@ struct PredictArguments {
   bool linear_star;  ///< false: every face goes to the solver
   /// out, faces: the states of the Riemann problem, the star state, the number of switched fields
   double *l_rho, *l_u, *l_p, *r_rho, *r_u, *r_p, *s_rho, *s_u, *s_p, *switched;
+  /// out, faces: change of the face state over dt/sqrt(12), for fluxes averaged over the step; zero where not smooth.
+  /// Null: not wanted
+  double *d_rho, *d_u, *d_p;
   double* strong;  ///< out: 1 where the Riemann problem is to be solved, else 0
 };
 
@@ -57,6 +61,7 @@ struct SolveArguments {
   double *l_rho, *l_u, *l_p, *r_rho, *r_u, *r_p, *s_rho, *s_u, *s_p, *strong;  ///< from the predictor
   double *f_mass, *f_momentum, *f_energy;  ///< out, faces: fluxes per area through the moving face
   double *face_p, *face_u;                 ///< out, faces
+  double const *d_rho, *d_u, *d_p;         ///< from the predictor; null: none
   std::size_t failures;                    ///< out: problems that did not converge
 };
 
@@ -65,6 +70,16 @@ struct PrimitiveArguments {
   void const* eos;
   double const *mass, *momentum, *energy;  ///< conserved averages
   double *rho, *u, *p, *K, *margin;        ///< out
+};
+
+/// Averages of the primitive variables from the primitives of the averages; [-1] and [cells] are read as well.
+struct AverageArguments {
+  std::size_t cells;
+  void const* eos;
+  double const *rho, *u, *p, *K;  ///< primitives of the averaged conserved variables
+  double const* h;                ///< widths
+  double* dK_dp;                  ///< out: along the isentrope, 2 G - 1 with the fundamental derivative G
+  double *u_mean, *p_mean;        ///< out: the primitives' averages, to third order where they are smooth
 };
 
 /// Corrector: measure_new q_new = measure q - dt (area_r F_r - area_l F_l) + sources, then primitives.
@@ -90,9 +105,11 @@ struct EosKernels {
   using Solve = void (*)(SolveArguments&);
   using Primitive = void (*)(PrimitiveArguments const&);
   using Update = void (*)(UpdateArguments&);
+  using Average = void (*)(AverageArguments const&);
   std::array<Solve, 3> solve;  ///< [RiemannSolver]
   Primitive primitive;
   Update update;
+  Average average;
 };
 
 struct GasKernels {

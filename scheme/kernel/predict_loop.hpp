@@ -10,7 +10,7 @@ namespace g27 {
 
 template <Lane V>
 G27_INLINE Cell<V> load_cell(PredictArguments const& g, std::ptrdiff_t i) noexcept {
-  return {load<V>(g.rho + i), load<V>(g.u + i), load<V>(g.p + i), load<V>(g.K + i)};
+  return {load<V>(g.rho + i), load<V>(g.u + i), load<V>(g.p + i), load<V>(g.K + i), V(0.0)};
 }
 template <Lane V>
 G27_INLINE GasState<V> load_increment(PredictArguments const& g, std::ptrdiff_t i) noexcept {
@@ -65,7 +65,14 @@ void predict(PredictArguments const& g) noexcept {
       s.foot_shift = load<V>(g.foot_shift + f), s.foot_factor = load<V>(g.foot_factor + f);
     }
     if (increments) s.inc_a = load_increment<V>(g, f), s.inc_b = load_increment<V>(g, f + 1);
-    store_prediction(g, static_cast<std::size_t>(f), Predictor::predict(s, g.exponent));
+    if constexpr (Predictor::third_order) {
+      s.a.dK_dp = load<V>(g.dK_dp + f), s.b.dK_dp = load<V>(g.dK_dp + f + 1);
+    }
+    FacePrediction<V> const r = Predictor::predict(s, g.exponent);
+    store_prediction(g, static_cast<std::size_t>(f), r);
+    if constexpr (Predictor::third_order) {
+      store(g.d_rho + f, r.change.rho), store(g.d_u + f, r.change.u), store(g.d_p + f, r.change.p);
+    }
   }
 }
 

@@ -85,18 +85,33 @@ void solve_strong(SolveArguments& g, E const& eos) noexcept {
   if (held > 0) flush(held);
 }
 
-/// Fluxes of the face states through faces moving at w: rho (u - w), its momentum and energy, and the pressure work.
+/// Flux of a face state through a face moving at w: mass, momentum with the pressure, energy with its work.
+template <class E, Lane V>
+G27_INLINE GasConserved<V> flux_of(E const& eos, V rho, V u, V p, V w) noexcept {
+  V const m = rho * (u - w);
+  // in a vacuum nothing flows, but its energy per mass must not be 0/0
+  V const e = eos.energy(max(rho, V(1e-200)), p);
+  return {m, V(m * u + p), V(m * (e + 0.5 * u * u) + p * u)};
+}
+
+/// Fluxes of the face states; where a predictor gave the change over the step, averaged over it.
 template <class E, Lane V>
 void fluxes_of_states(SolveArguments& g, E const& eos) noexcept {
   for (std::size_t f = 0; f < g.faces; f += width<V>) {
     V const rho = load<V>(g.s_rho + f), u = load<V>(g.s_u + f), p = load<V>(g.s_p + f), w = load<V>(g.w + f);
-    V const m = g.lagrangian ? V(0.0) : rho * (u - w);
-    // in a vacuum nothing flows, but its energy per mass must not be 0/0
-    V const e = eos.energy(max(rho, V(1e-200)), p);
-    store(g.f_mass + f, m);
-    store(g.f_momentum + f, V(m * u + p));
-    store(g.f_energy + f, V(m * (e + 0.5 * u * u) + p * u));
     store(g.face_p + f, p), store(g.face_u + f, u);
+    GasConserved<V> q;
+    if (g.lagrangian) {
+      q = {V(0.0), p, V(p * u)};
+    } else if (g.d_rho == nullptr) {
+      q = flux_of(eos, rho, u, p, w);
+    } else {
+      V const d_rho = load<V>(g.d_rho + f), d_u = load<V>(g.d_u + f), d_p = load<V>(g.d_p + f);
+      GasConserved<V> const a = flux_of(eos, V(rho - d_rho), V(u - d_u), V(p - d_p), w);
+      GasConserved<V> const b = flux_of(eos, V(rho + d_rho), V(u + d_u), V(p + d_p), w);
+      q = {0.5 * (a.mass + b.mass), 0.5 * (a.momentum + b.momentum), 0.5 * (a.energy + b.energy)};
+    }
+    store(g.f_mass + f, q.mass), store(g.f_momentum + f, q.momentum), store(g.f_energy + f, q.energy);
   }
 }
 

@@ -10,6 +10,8 @@ namespace g27 {
 /// the face is computed for; otherwise from the face. `single_foot`: density at the acoustic feet as well.
 template <Switch kind, bool per_cell_feet = false, bool single_foot = false>
 struct LinearPredictor {
+  static constexpr bool third_order = false;
+
   template <Lane V>
   G27_INLINE static FacePrediction<V> predict(Stencil<V> const& s, double exponent) noexcept {
     Cell<V> const &z = s.z, &a = s.a, &b = s.b, &y = s.y;
@@ -84,7 +86,8 @@ struct LinearPredictor {
     V const one(1.0), zero(0.0);
     V const switched = select(phi_p < 1.0, one, zero) + select(phi_m < 1.0, one, zero) + select(phi_0 < 1.0, one, zero);
 
-    FacePrediction<V> out{.star = {rho_s, u_s, p_s}, .left = left, .right = right, .weak = weak, .switched = switched};
+    FacePrediction<V> out{
+        .star = {rho_s, u_s, p_s}, .change = {}, .left = left, .right = right, .weak = weak, .switched = switched};
     if (!all(weak)) {
       // rho (1 + g dp/K)^(1/g): exact isentrope of an ideal or stiffened gas, positive for every EOS
       V const K_l = a.K + phi_0 * x_0 * d_K, K_r = b.K - phi_0 * (1.0 - x_0) * d_K;

@@ -1,6 +1,11 @@
 #pragma once
 /// The parabolic predictor: the two parabolas of the monotonicity switch become the interpolant, averaged over the
-/// interval that each characteristic sweeps in a step. Third order on linear waves inside the paper's stencil.
+/// interval that each characteristic sweeps in a step. Third order on smooth flow, inside the paper's stencil.
+///
+/// On linear waves the swept averages alone are of third order. A nonlinear flow needs three things more, each of
+/// second order and each taken where the data are smooth: the cell averages of u and p (average_loop.hpp), the
+/// quadratic terms of the face state's mean over the step (quadratic, below), and fluxes averaged over the step
+/// (solve_loop.hpp).
 ///
 /// Fields: R+- = dp +- Z du, S = drho - dp/c^2. A, B, C are a field's differences over the sum of the two widths across
 /// the three intervals. Of the upwind cell's parabola only its slope over the swept interval matters,
@@ -17,12 +22,15 @@ inline constexpr double compression = 0.2;        ///< curvature over slope from
 inline constexpr double compression_jump = 0.05;  ///< its least density jump over the mean
 inline constexpr double compression_sound = 0.3;  ///< its largest pressure slope over c^2 times the entropy slope
 inline constexpr double shock_pressure = 1.0 / 1.4, shock_slowness = 0.2;  ///< slow strong shock: first order
-inline constexpr double round_off = 1e-8;    ///< a change below this share of the field's scale is not counted
-inline constexpr double least_share = 1e-3;  ///< of the cell width, in the universal bounds
+inline constexpr double smooth_change = 0.05;  ///< largest jump over rho, K, c with which the flux is averaged
+inline constexpr double round_off = 1e-8;      ///< a change below this share of the field's scale is not counted
+inline constexpr double least_share = 1e-3;    ///< of the cell width, in the universal bounds
 }  // namespace parabolic
 
 template <bool limited>
 struct ParabolicPredictor {
+  static constexpr bool third_order = true;
+
   template <Lane V>
   G27_INLINE static FacePrediction<V> predict(Stencil<V> const& s, double exponent) noexcept {
     Cell<V> const &z = s.z, &a = s.a, &b = s.b, &y = s.y;
@@ -81,8 +89,35 @@ struct ParabolicPredictor {
     V const K_min = min(a.K, b.K), rho_min = min(a.rho, b.rho);
     Mask<V> const allow(s.linear_star);
     Mask<V> weak = allow && abs(d_p) <= weak_pressure * K_min && abs(d_u) <= weak_velocity * c && rho_s > 0.2 * rho_min;
-    FacePrediction<V> out{
-        .star = {rho_s, u_s, p_s}, .left = state(a), .right = state(b), .weak = weak, .switched = switched};
+    FacePrediction<V> out{.star = {rho_s, u_s, p_s},
+                          .change = {zero, zero, zero},
+                          .left = state(a),
+                          .right = state(b),
+                          .weak = weak,
+                          .switched = switched};
+    // Over the step the face state runs through W +- W_t dt/sqrt(12) in the mean square: the flux is averaged between
+    // the two (Gauss), or its second derivative would leave a second-order error.
+    Mask<V> const smooth = weak && abs(b.rho - a.rho) <= parabolic::smooth_change * rho &&
+                           abs(d_p) <= parabolic::smooth_change * K && abs(d_u) <= parabolic::smooth_change * c;
+    if (any(smooth)) {
+      Slopes<V> const x{.rho = 2.0 * gr1, .u = 2.0 * gu1 * inv_Z, .p = 2.0 * gp1, .K = 2.0 * (b.K - a.K) * s.pair_ab};
+      GasState<V> rate{-(v * x.rho + rho * x.u), -(v * x.u + x.p * inv_rho), -(v * x.p + K * x.u)};
+      V rate_K = -(v * x.K + 0.5 * (a.dK_dp + b.dK_dp) * K * x.u);
+      if (s.incremented) {
+        V const inv_dt = 1.0 / s.dt;  // an increment is half a step of the rate
+        GasState<V> const extra{inv_dt * (s.inc_a.rho + s.inc_b.rho), inv_dt * (s.inc_a.u + s.inc_b.u),
+                                inv_dt * (s.inc_a.p + s.inc_b.p)};
+        rate = {rate.rho + extra.rho, rate.u + extra.u, rate.p + extra.p};
+        // its isentropic part, and the rest with dK/dp at constant density
+        V const along = c2 * extra.rho;
+        rate_K += 0.5 * (a.dK_dp + b.dK_dp) * along + exponent * (extra.p - along);
+      }
+      GasState<V> const q = quadratic(s.dt, rho, v, K, c, rate, rate_K, x);
+      out.star = {select(smooth, rho_s + q.rho, rho_s), select(smooth, u_s + q.u, u_s), select(smooth, p_s + q.p, p_s)};
+      V const share = s.dt * (1.0 / 3.4641016151377545871);
+      out.change = {select(smooth, share * rate.rho, zero), select(smooth, share * rate.u, zero),
+                    select(smooth, share * rate.p, zero)};
+    }
     if (all(weak)) return out;
 
     // the two sides of the Riemann problem: upwind the bounded parabola, downwind the smaller slope of its far side
@@ -114,6 +149,33 @@ struct ParabolicPredictor {
   }
 
  private:
+  template <Lane V>
+  struct Slopes {
+    V rho, u, p, K;
+  };
+
+  /// What a nonlinear flow adds to the mean of the face state over the step, to third order, beyond the swept averages.
+  /// From W_t = -A W_x the mean is W - (dt/2) A W_x + (dt^2/6) (A^2 W_xx + A (A_x W_x) - A'[W_t] W_x); the swept
+  /// averages with their shortened lengths hold all of it but the last two terms, of which they hold
+  /// (dt^2/3) lambda lambda_x for every field. v: velocity over the face; rate, rate_K: d/dt of the state and of K.
+  template <Lane V>
+  G27_INLINE static GasState<V> quadratic(V dt, V rho, V v, V K, V c, GasState<V> const& rate, V rate_K,
+                                          Slopes<V> const& x) noexcept {
+    V const inv_rho = 1.0 / rho, inv_rho2 = inv_rho * inv_rho, Z = rho * c, inv_c2 = rho / K;
+    // B = A_x W_x
+    V const b_rho = 2.0 * x.rho * x.u, b_u = x.u * x.u - x.rho * x.p * inv_rho2, b_p = (x.K + x.p) * x.u;
+    V const q_rho = v * b_rho + rho * b_u - rate.u * x.rho - rate.rho * x.u;
+    V const q_u = v * b_u + b_p * inv_rho - rate.u * x.u + rate.rho * x.p * inv_rho2;
+    V const q_p = K * b_u + v * b_p - rate_K * x.u - rate.u * x.p;
+    // already there, by the shortened lengths
+    V const c_x = 0.5 * c * (x.K / K - x.rho * inv_rho);
+    V const s_p = 2.0 * (v + c) * (x.u + c_x) * (x.p + Z * x.u), s_m = 2.0 * (v - c) * (x.u - c_x) * (x.p - Z * x.u);
+    V const s_0 = 2.0 * v * x.u * (x.rho - x.p * inv_c2);
+    V const have_p = 0.5 * (s_p + s_m), have_u = 0.5 * (s_p - s_m) / Z, have_rho = s_0 + have_p * inv_c2;
+    V const k = dt * dt * (1.0 / 6.0);
+    return {k * (q_rho - have_rho), k * (q_u - have_u), k * (q_p - have_p)};
+  }
+
   /// 0 on faces near a strong shock that hardly moves over the mesh (relative to the sound speed), 1 elsewhere.
   template <Lane V>
   G27_INLINE static V slow_shock(Stencil<V> const& s, V c) noexcept {

@@ -14,6 +14,7 @@ inline constexpr double weak_velocity = 0.1;
 template <Lane V>
 struct Cell {
   V rho, u, p, K;
+  V dK_dp;  ///< along the isentrope; for predictors beyond second order
 };
 
 /// Cells i-1, i | i+1, i+2 = z, a | b, y around the face between a and b, and the mesh there.
@@ -34,6 +35,7 @@ struct Stencil {
 template <Lane V>
 struct FacePrediction {
   GasState<V> star;         ///< face state where `weak`
+  GasState<V> change;       ///< of the face state over dt/sqrt(12), where `weak`; set by predictors beyond second order
   GasState<V> left, right;  ///< states of the Riemann problem; set unless all lanes are weak
   Mask<V> weak;             ///< the acoustic star state is taken
   V switched;               ///< number of fields (0..3) on which the monotonicity switch acted

@@ -64,4 +64,34 @@ void fill_ghosts(GasLineSetup const& setup, Line const& line, double t, GasCells
   fill_side(setup, line, {setup.right, {n, n + 1}, {n - 1, n - 2}, {0, 1}, line.x.back(), 1.0}, t, cells);
 }
 
+void fill_mean_ghosts(GasLineSetup const& setup, Line const& line, GasCells const& cells, Padded& u, Padded& p,
+                      Padded& dK_dp) {
+  using Kind = GasBoundary::Kind;
+  std::ptrdiff_t const n = static_cast<std::ptrdiff_t>(line.cells());
+  auto const side = [&](GasBoundary const& boundary, std::ptrdiff_t ghost, std::ptrdiff_t inner, std::ptrdiff_t first,
+                        std::ptrdiff_t partner) {
+    dK_dp[ghost] = dK_dp[boundary.kind == Kind::periodic ? partner : first];
+    switch (boundary.kind) {
+      case Kind::periodic:
+        u[ghost] = u[partner], p[ghost] = p[partner];
+        break;
+      case Kind::outflow:
+        u[ghost] = u[first], p[ghost] = p[first];
+        break;
+      // what the image's velocity adds to the inner cell's is twice the wall's speed, for the averages as well
+      case Kind::wall:
+      case Kind::piston:
+        u[ghost] = cells.u[ghost] + cells.u[inner] - u[inner], p[ghost] = p[inner];
+        break;
+      case Kind::inflow:
+        u[ghost] = cells.u[ghost], p[ghost] = cells.p[ghost];
+        break;
+    }
+  };
+  for (std::ptrdiff_t k = 0; k < 2; ++k) {
+    side(setup.left, -1 - k, k, 0, n - 1 - k);
+    side(setup.right, n + k, n - 1 - k, n - 1, k);
+  }
+}
+
 }  // namespace g27

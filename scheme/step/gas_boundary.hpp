@@ -19,4 +19,9 @@ inline double boundary_speed(GasBoundary const& b, double t) {
 /// state averaged over the ghost cell (inflow).
 void fill_ghosts(GasLineSetup const& setup, Line const& line, double t, GasCells& cells);
 
+/// The same for averages of velocity and pressure and for dK/dp alone, whose inner cells are set; an inflow's state is
+/// an average, its dK/dp that of the cell beside it.
+void fill_mean_ghosts(GasLineSetup const& setup, Line const& line, GasCells const& cells, Padded& u, Padded& p,
+                      Padded& dK_dp);
+
 }  // namespace g27

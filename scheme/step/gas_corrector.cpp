@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "scheme/step/gas_line_impl.hpp"
+#include "scheme/step/gauss.hpp"
 
 namespace g27 {
 
@@ -68,13 +69,25 @@ std::pair<double, double> GasLine::Impl::correct_with_cell_feet(double dt) {
 
 void GasLine::Impl::set_sources(double dt) {
   if (!setup.source.mean) return;
+  auto const gauss = gauss_points(2);
   for (std::ptrdiff_t i = 0; i < cells(); ++i) {
-    // over the cell where it stands at half the step
     std::size_t const k = static_cast<std::size_t>(i);
-    double const x0 = line.x[k] + 0.5 * dt * line.w[i], x1 = line.x[k + 1] + 0.5 * dt * line.w[i + 1];
-    double const v = dt * measure_between(setup.symmetry, x0, x1);
-    GasConserved<> const s = setup.source.mean(x0, x1, time, dt);
-    src_mass[i] = v * s.mass, src_momentum[i] = v * s.momentum, src_energy[i] = v * s.energy;
+    double mass = 0, momentum = 0, energy = 0;
+    auto const add = [&](double x0, double x1, double t, double span, double weight) {
+      double const v = weight * measure_between(setup.symmetry, x0, x1);
+      GasConserved<> const s = setup.source.mean(x0, x1, t, span);
+      mass += v * s.mass, momentum += v * s.momentum, energy += v * s.energy;
+    };
+    if (moving) {
+      // at two instants, over the cell where it stands then
+      for (std::size_t m = 0; m < 2; ++m) {
+        double const past = 0.5 * dt * (1.0 + gauss[m].x);
+        add(line.x[k] + past * line.w[i], line.x[k + 1] + past * line.w[i + 1], time + past, 0.0, 0.5 * dt);
+      }
+    } else {
+      add(line.x[k], line.x[k + 1], time, dt, dt);
+    }
+    src_mass[i] = mass, src_momentum[i] = momentum, src_energy[i] = energy;
   }
 }
 

@@ -19,6 +19,21 @@ double GasLine::Impl::geometric_divergence(std::ptrdiff_t i) const noexcept {
   return flow / measure_between(setup.symmetry, x0, x1) - (u1 - u0) * line.inv_h[i];
 }
 
+void GasLine::Impl::set_averages_of_primitives() {
+  if (!is_third_order(predictor)) return;
+  law.average({.cells = n,
+               .eos = eos,
+               .rho = now.rho.data(),
+               .u = now.u.data(),
+               .p = now.p.data(),
+               .K = now.K.data(),
+               .h = line.h.data(),
+               .dK_dp = dK_dp.data(),
+               .u_mean = u_mean.data(),
+               .p_mean = p_mean.data()});
+  fill_mean_ghosts(setup, line, now, u_mean, p_mean, dK_dp);
+}
+
 bool GasLine::Impl::set_increments(double dt) {
   if (!curved && !setup.source.primitive_rate) return false;
   if (predictor == PredictorKernel::godunov) return false;
@@ -30,8 +45,10 @@ bool GasLine::Impl::set_increments(double dt) {
       d = {-now.rho[i] * spread, 0.0, -now.K[i] * spread};
     }
     if (setup.source.primitive_rate) {
-      // the mean over the step of what has accumulated along a characteristic is half a step of the rate a third on
-      GasState<> const r = setup.source.primitive_rate(x, time + dt / 3.0);
+      // the mean over the step of what has accumulated along a characteristic is half a step of the rate a third on,
+      // where the mesh has carried the cell by then
+      double const carried = 0.5 * (line.w[std::max<std::ptrdiff_t>(i, 0)] + line.w[std::min(i + 1, cells())]);
+      GasState<> const r = setup.source.primitive_rate(x + carried * dt / 3.0, time + dt / 3.0);
       d = {d.rho + r.rho, d.u + r.u, d.p + r.p};
     }
     d = {0.5 * dt * d.rho, 0.5 * dt * d.u, 0.5 * dt * d.p};
@@ -45,11 +62,13 @@ bool GasLine::Impl::set_increments(double dt) {
 
 void GasLine::Impl::predict(FaceRun const& run, std::ptrdiff_t f, std::size_t count, FaceProblems& b) const noexcept {
   std::ptrdiff_t const c = f - 1;  // the cell on the left of face f
+  bool const averaged = is_third_order(run.predictor);
   predict_row(run, count,
               {.rho = now.rho.data() + c,
-               .u = now.u.data() + c,
-               .p = now.p.data() + c,
+               .u = (averaged ? u_mean : now.u).data() + c,
+               .p = (averaged ? p_mean : now.p).data() + c,
                .K = now.K.data() + c,
+               .dK_dp = dK_dp.data() + c,
                .h = line.h.data() + c,
                .inv_pair = line.inv_pair.data() + c,
                .inv_triple = line.inv_triple.data() + c,
@@ -69,6 +88,7 @@ void GasLine::Impl::predict_row(FaceRun const& run, std::size_t count, Predictor
                            .u = row.u,
                            .p = row.p,
                            .K = row.K,
+                           .dK_dp = row.dK_dp,
                            .h = row.h,
                            .inv_pair = row.inv_pair,
                            .inv_triple = row.inv_triple,
@@ -91,6 +111,9 @@ void GasLine::Impl::predict_row(FaceRun const& run, std::size_t count, Predictor
                            .s_u = b.s_u.data(),
                            .s_p = b.s_p.data(),
                            .switched = b.switched.data(),
+                           .d_rho = b.d_rho.data(),
+                           .d_u = b.d_u.data(),
+                           .d_p = b.d_p.data(),
                            .strong = b.strong.data()};
   kernels.predict->table[static_cast<std::size_t>(run.predictor)][line.uniform() ? 1 : 0](g);
 }
@@ -98,9 +121,11 @@ void GasLine::Impl::predict_row(FaceRun const& run, std::size_t count, Predictor
 void GasLine::Impl::predict_mirrored(FaceRun const& run, std::ptrdiff_t f, FaceProblems& b) noexcept {
   // the cells f + 1, f | f - 1, f - 2 become -1, 0 | 1, 2 of a row of one face
   MirrorRow& m = mirror_row;
+  bool const averaged = is_third_order(run.predictor);
   for (std::ptrdiff_t k = -1; k <= 2; ++k) {
     std::ptrdiff_t const i = f - k;
-    m.rho[k] = now.rho[i], m.u[k] = -now.u[i], m.p[k] = now.p[i], m.K[k] = now.K[i];
+    m.rho[k] = now.rho[i], m.u[k] = -(averaged ? u_mean : now.u)[i], m.p[k] = (averaged ? p_mean : now.p)[i];
+    m.K[k] = now.K[i], m.dK_dp[k] = averaged ? dK_dp[i] : 0.0;
     m.h[k] = line.h[i], m.inv_triple[k] = line.inv_triple[i];
     if (k < 2) m.inv_pair[k] = line.inv_pair[i - 1];
     if (k == 0 || k == 1) m.inc_rho[k] = inc_rho[i], m.inc_u[k] = -inc_u[i], m.inc_p[k] = inc_p[i];
@@ -110,8 +135,8 @@ void GasLine::Impl::predict_mirrored(FaceRun const& run, std::ptrdiff_t f, FaceP
   predict_row(run, 1, m.row(), b);
 }
 
-std::size_t GasLine::Impl::solve(std::ptrdiff_t f, std::size_t count, FaceProblems& b, GasFaces& out,
-                                 std::ptrdiff_t to) const noexcept {
+std::size_t GasLine::Impl::solve(FaceRun const& run, std::ptrdiff_t f, std::size_t count, FaceProblems& b,
+                                 GasFaces& out, std::ptrdiff_t to) const noexcept {
   std::ptrdiff_t const c = f - 1;
   SolveArguments g{.faces = count,
                    .eos = eos,
@@ -136,6 +161,9 @@ std::size_t GasLine::Impl::solve(std::ptrdiff_t f, std::size_t count, FaceProble
                    .f_energy = out.energy.data() + to,
                    .face_p = out.p.data() + to,
                    .face_u = out.u.data() + to,
+                   .d_rho = is_third_order(run.predictor) ? b.d_rho.data() : nullptr,
+                   .d_u = b.d_u.data(),
+                   .d_p = b.d_p.data(),
                    .failures = 0};
   law.solve[static_cast<std::size_t>(setup.options.riemann)](g);
   return g.failures;
@@ -157,6 +185,7 @@ void GasLine::Impl::image_in_wall(FaceRun run, std::ptrdiff_t f, bool wall_on_le
   double const image = 2.0 * line.w[f] - s.u;
   b.l_rho[i] = b.r_rho[i] = s.rho, b.l_p[i] = b.r_p[i] = s.p;
   b.l_u[i] = wall_on_left ? image : s.u, b.r_u[i] = wall_on_left ? s.u : image;
+  b.d_rho[i] = b.d_u[i] = b.d_p[i] = 0.0;
   b.strong[i] = 1.0;
 }
 
@@ -166,7 +195,7 @@ std::size_t GasLine::Impl::run_faces(FaceRun const& run, std::ptrdiff_t begin, s
   std::ptrdiff_t const end = begin + static_cast<std::ptrdiff_t>(count);
   if (begin == 0 && is_wall(setup.left)) image_in_wall(run, 0, true, b, 0);
   if (end == cells() + 1 && is_wall(setup.right)) image_in_wall(run, cells(), false, b, count - 1);
-  std::size_t const failures = solve(begin, count, b, out, to);
+  std::size_t const failures = solve(run, begin, count, b, out, to);
   if (begin == 0 && is_wall(setup.left)) seal(out, to, line.w[0]);
   if (end == cells() + 1 && is_wall(setup.right))
     seal(out, to + static_cast<std::ptrdiff_t>(count) - 1, line.w[cells()]);

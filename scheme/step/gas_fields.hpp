@@ -38,21 +38,35 @@ struct GasFaces {
 
 /// A face's Riemann problem, as the predictor leaves it and the solver takes it, for a chunk of faces.
 struct FaceProblems {
-  Padded l_rho, l_u, l_p, r_rho, r_u, r_p, s_rho, s_u, s_p, switched, strong;
+  Padded l_rho, l_u, l_p, r_rho, r_u, r_p, s_rho, s_u, s_p, d_rho, d_u, d_p, switched, strong;
 
   explicit FaceProblems(std::size_t n)
-      : l_rho(n), l_u(n), l_p(n), r_rho(n), r_u(n), r_p(n), s_rho(n), s_u(n), s_p(n), switched(n), strong(n) {}
+      : l_rho(n),
+        l_u(n),
+        l_p(n),
+        r_rho(n),
+        r_u(n),
+        r_p(n),
+        s_rho(n),
+        s_u(n),
+        s_p(n),
+        d_rho(n),
+        d_u(n),
+        d_p(n),
+        switched(n),
+        strong(n) {}
 };
 
 /// What a predictor reads of a row, by the cell on the left of its first face and by that face.
 struct PredictorRow {
-  double const *rho, *u, *p, *K, *h, *inv_pair, *inv_triple, *w, *inc_rho, *inc_u, *inc_p, *foot_shift, *foot_factor;
+  double const *rho, *u, *p, *K, *dK_dp, *h, *inv_pair, *inv_triple, *w, *inc_rho, *inc_u, *inc_p, *foot_shift,
+      *foot_factor;
 };
 
 /// A row of one face, for the problem beside a left wall seen in the mirror: walls on both sides then compute the same.
 struct MirrorRow {
-  Padded rho{4, 1.0}, u{4}, p{4, 1.0}, K{4, 1.0}, h{4, 1.0}, inv_pair{4, 1.0}, inv_triple{4, 1.0}, w{4}, inc_rho{4},
-      inc_u{4}, inc_p{4};
+  Padded rho{4, 1.0}, u{4}, p{4, 1.0}, K{4, 1.0}, dK_dp{4}, h{4, 1.0}, inv_pair{4, 1.0}, inv_triple{4, 1.0}, w{4},
+      inc_rho{4}, inc_u{4}, inc_p{4};
   Padded foot_shift{4}, foot_factor{4, 1.0};
 
   [[nodiscard]] PredictorRow row() const noexcept {
@@ -60,6 +74,7 @@ struct MirrorRow {
             .u = u.data(),
             .p = p.data(),
             .K = K.data(),
+            .dK_dp = dK_dp.data(),
             .h = h.data(),
             .inv_pair = inv_pair.data(),
             .inv_triple = inv_triple.data(),

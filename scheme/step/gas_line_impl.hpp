@@ -17,6 +17,11 @@ inline constexpr std::size_t face_chunk = 256;  ///< faces handled at a time: th
 inline constexpr std::size_t parallel_threshold = 8192;  ///< cells below which threads cost more than they bring
 inline constexpr double repair_share = 1e-3;             ///< least rho and margin a step may leave, over the old ones
 
+/// Predictors that need the averages of the primitives and fluxes averaged over the step.
+inline bool is_third_order(PredictorKernel p) noexcept {
+  return p == PredictorKernel::parabolic_on || p == PredictorKernel::parabolic_off;
+}
+
 /// Sum that loses nothing to round-off over millions of steps (Neumaier).
 struct Accumulator {
   double sum = 0, lost = 0;
@@ -44,6 +49,7 @@ struct GasLine::Impl {
   Line line;
   GasCells now, next;
   GasFaces faces, other_faces;  ///< `other_faces`: as the cell on the right sees them, with the points of OG (3.10)
+  Padded u_mean, p_mean, dK_dp;        ///< averages of u and p, and dK/dp, for predictors beyond second order
   Padded inc_rho, inc_u, inc_p, src_mass, src_momentum, src_energy;
   std::vector<double> switch_counts;
   std::vector<char> redone;
@@ -86,6 +92,9 @@ struct GasLine::Impl {
   /// velocities on the faces, since u/r of the cell itself is unstable in the centre of a sphere above CFL 0.7.
   [[nodiscard]] double geometric_divergence(std::ptrdiff_t i) const noexcept;
 
+  /// Averages of the primitives from the primitives of the averages, with their ghosts.
+  void set_averages_of_primitives();
+
   /// Half-step increments of geometry (alpha rho u / r, alpha K u / r) and of manufactured sources.
   bool set_increments(double dt);
 
@@ -107,7 +116,7 @@ struct GasLine::Impl {
   void predict_mirrored(FaceRun const& run, std::ptrdiff_t f, FaceProblems& b) noexcept;
 
   /// Riemann problems and fluxes of the predicted faces [f, f + count), written to out at `to`. Returns failures.
-  std::size_t solve(std::ptrdiff_t f, std::size_t count, FaceProblems& b, GasFaces& out,
+  std::size_t solve(FaceRun const& run, std::ptrdiff_t f, std::size_t count, FaceProblems& b, GasFaces& out,
                     std::ptrdiff_t to) const noexcept;
 
   /// A wall's Riemann problem: the gas beside it against its own image in the moving wall.

@@ -74,6 +74,7 @@ double GasLine::Impl::choose_dt(double t_end, double shrink) {
 
 StepReport GasLine::Impl::step(double t_end) {
   fill_ghosts(setup, line, time, now);
+  set_averages_of_primitives();
   double shrink = 1.0;
   StepReport report;
   for (int attempt = 0; attempt <= most_retries; ++attempt, shrink *= 0.5) {
