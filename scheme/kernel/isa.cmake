@@ -23,6 +23,10 @@ function(g27_kernel_object target name isa)
   target_compile_definitions(${name} PRIVATE G27_ISA=${isa} ${ARGV4})
   # GCC 12 warns about its own AVX-512 intrinsics (GCC bug 105593).
   target_compile_options(${name} PRIVATE ${G27_FLAGS_${isa}} -fno-exceptions -Wno-uninitialized -Wno-maybe-uninitialized)
+  if(CMAKE_CXX_FLAGS MATCHES "-fsanitize")
+    # Fully inlined vector code takes the sanitizers' compilers half an hour a file; everything around it is checked.
+    target_compile_options(${name} PRIVATE -fno-sanitize=all -O2)
+  endif()
   target_sources(${target} PRIVATE $<TARGET_OBJECTS:${name}>)
 endfunction()
 
