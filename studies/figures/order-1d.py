@@ -101,8 +101,8 @@ def main():
             axis.legend(fontsize=7)
     spread(figure.add_subplot(grid[1, :2]), orders)
     ablations(figure.add_subplot(grid[1, 2:]), errors)
-    figure.suptitle("Godunov is first order, the linear predictor second on every law and mesh; the parabola is third on "
-                    "linear waves and falls to second on nonlinear ones", fontsize=11)
+    figure.suptitle("Godunov is first order, the linear predictor second on every law and mesh; the parabola third "
+                    "on every smooth mesh", fontsize=11)
     figure.savefig(out, dpi=150)
 
 
