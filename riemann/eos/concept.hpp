@@ -26,8 +26,8 @@ concept EquationOfState = requires(E const& eos, double x, Simd v) {
   /// and the set of such states is convex in the conserved variables
   { eos.pressure_margin(x, x) } -> std::same_as<double>;
   { eos.pressure_margin(v, v) } -> std::same_as<Simd>;
-  /// rho e is linear in p and does not depend on rho: then its cell average is that of the averages
-  { E::linear_energy } -> std::convertible_to<bool>;
+  /// second differential [J/m^3] of rho e along (d_rho, d_p) at rho: what a cell average adds to rho e of the averages
+  { eos.energy_bend(v, v, v) } -> std::same_as<Simd>;
   /// Grueneisen parameter, 1/(d(rho e)/dp) at constant rho
   { eos.gruneisen(v) } -> std::same_as<Simd>;
   /// exponent g with which rho (1 + g dp / K)^(1/g) follows an isentrope (exact for ideal and stiffened gas)

@@ -11,7 +11,6 @@ struct IdealGas {
   double gamma = 1.4;  ///< ratio of specific heats, > 1
 
   static constexpr char const* name = "ideal";
-  static constexpr bool linear_energy = true;  ///< rho e is linear in p and does not depend on rho
   static constexpr char const* title = "ideal gas: p = (gamma - 1) rho e";
   static constexpr std::array<EosParameter<IdealGas>, 1> parameters{
       {{"gamma", &IdealGas::gamma, "1", "ratio of specific heats", 1.0, 20.0}}};
@@ -35,6 +34,11 @@ struct IdealGas {
     return p;
   }
   /// Grueneisen parameter (dp/de)/rho at constant density.
+  /// Second differential of rho e along (d_rho, d_p): rho e is linear in p alone.
+  template <Lane V>
+  [[nodiscard]] G27_INLINE V energy_bend(V /*rho*/, V /*d_rho*/, V /*d_p*/) const noexcept {
+    return V(0.0);
+  }
   template <Lane V>
   [[nodiscard]] G27_INLINE V gruneisen(V /*rho*/) const noexcept {
     return V(gamma - 1.0);

@@ -18,7 +18,6 @@ struct Jwl {
   double rho0 = 1650.0;  ///< density of the unburnt charge [kg/m^3]; the defaults are TNT-RDX
 
   static constexpr char const* name = "jwl";
-  static constexpr bool linear_energy = false;  ///< rho e is linear in p alone
   static constexpr char const* title = "Jones-Wilkins-Lee: p = A exp(-R1 v) + B exp(-R2 v) + t, v = rho0/rho";
   static constexpr std::array<EosParameter<Jwl>, 6> parameters{
       {{"A", &Jwl::A, "Pa", "first exponential", 0.0, 1e14, true},
@@ -47,6 +46,14 @@ struct Jwl {
   template <Lane V>
   [[nodiscard]] G27_INLINE V pressure_margin(V rho, V p) const noexcept {
     return p - cold_pressure(rho);
+  }
+  /// Second differential of rho e along (d_rho, d_p): with k = R rho0/rho^2, d^2(rho e)/d rho^2 is the sum over both
+  /// exponentials of a k ((1 + 2/omega)/rho - k/omega).
+  template <Lane V>
+  [[nodiscard]] G27_INLINE V energy_bend(V rho, V d_rho, V /*d_p*/) const noexcept {
+    auto const [v, a, b] = exponentials(rho);
+    V const inv = 1.0 / rho, k1 = R1 * v * inv, k2 = R2 * v * inv, once = (1.0 + 2.0 / omega) * inv;
+    return (a * k1 * (once - k1 * (1.0 / omega)) + b * k2 * (once - k2 * (1.0 / omega))) * d_rho * d_rho;
   }
   template <Lane V>
   [[nodiscard]] G27_INLINE V gruneisen(V /*rho*/) const noexcept {

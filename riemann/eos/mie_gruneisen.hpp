@@ -25,7 +25,6 @@ struct MieGruneisen {
   double Gamma0 = 2.0;   ///< Grueneisen parameter at rho0, < 2 s
 
   static constexpr char const* name = "mie-gruneisen";
-  static constexpr bool linear_energy = false;  ///< rho e is linear in p alone
   static constexpr char const* title = "Mie-Grueneisen on the Hugoniot U_s = c0 + s u_p";
   static constexpr std::array<EosParameter<MieGruneisen>, 4> parameters{
       {{"rho0", &MieGruneisen::rho0, "kg/m^3", "density at zero pressure", 0.0, 1e5},
@@ -53,6 +52,12 @@ struct MieGruneisen {
   template <Lane V>
   [[nodiscard]] G27_INLINE V pressure_margin(V rho, V p) const noexcept {
     return select(s * (1.0 - rho0 / rho) < V(1.0), p - cold_pressure(rho), V(-bulk_modulus_0()));
+  }
+  /// Second differential of rho e = rho (p - F)/(Gamma0 rho0) along (d_rho, d_p).
+  template <Lane V>
+  [[nodiscard]] G27_INLINE V energy_bend(V rho, V d_rho, V d_p) const noexcept {
+    V const v = rho0 / rho;
+    return (2.0 * d_rho * d_p - reference(rho).curvature * v * v / rho * d_rho * d_rho) * (1.0 / (Gamma0 * rho0));
   }
   template <Lane V>
   [[nodiscard]] G27_INLINE V gruneisen(V rho) const noexcept {

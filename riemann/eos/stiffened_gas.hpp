@@ -13,7 +13,6 @@ struct StiffenedGas {
   double p_inf = 6e8;  ///< stiffness [Pa], >= 0; the defaults are water's
 
   static constexpr char const* name = "stiffened";
-  static constexpr bool linear_energy = true;  ///< rho e is linear in p and does not depend on rho
   static constexpr char const* title = "stiffened gas: p = (gamma - 1) rho e - gamma p_inf";
   static constexpr std::array<EosParameter<StiffenedGas>, 2> parameters{
       {{"gamma", &StiffenedGas::gamma, "1", "exponent of the isentropes of p + p_inf", 1.0, 20.0},
@@ -35,6 +34,11 @@ struct StiffenedGas {
   template <Lane V>
   [[nodiscard]] G27_INLINE V pressure_margin(V /*rho*/, V p) const noexcept {
     return p + p_inf;
+  }
+  /// Second differential of rho e along (d_rho, d_p): rho e is linear in p alone.
+  template <Lane V>
+  [[nodiscard]] G27_INLINE V energy_bend(V /*rho*/, V /*d_rho*/, V /*d_p*/) const noexcept {
+    return V(0.0);
   }
   template <Lane V>
   [[nodiscard]] G27_INLINE V gruneisen(V /*rho*/) const noexcept {

@@ -31,12 +31,7 @@ void average(AverageArguments const& g) noexcept {
                            max(abs(p_l), abs(p_r)) <= smooth_share * K &&
                            most_u * most_u * rho <= (smooth_share * smooth_share) * K;
     V const d_rho = share * (r_l + r_r), d_u = share * (u_l + u_r), d_p = share * (p_l + p_r);
-    V bend = rho * d_u * d_u;
-    if constexpr (!E::linear_energy) {
-      auto const f = [&](V r, V q) G27_INLINE_LAMBDA { return V(r * eos.energy(r, q)); };
-      bend +=
-          4.0 * ((f(rho + 0.5 * d_rho, p + 0.5 * d_p) - f(rho, p)) - (f(rho, p) - f(rho - 0.5 * d_rho, p - 0.5 * d_p)));
-    }
+    V const bend = rho * d_u * d_u + eos.energy_bend(rho, d_rho, d_p);
     V const u_mean = u - d_rho * d_u / (12.0 * rho), p_mean = p - eos.gruneisen(rho) * bend * (1.0 / 24.0);
     store(g.dK_dp + i, V(2.0 * eos.fundamental_derivative(rho, p) - 1.0));
     store(g.u_mean + i, select(smooth, u_mean, u));

@@ -113,6 +113,21 @@ TEMPLATE_LIST_TEST_CASE("every admissible state is hyperbolic and convex", "[eos
   }
 }
 
+TEMPLATE_LIST_TEST_CASE("the second differential of rho e is that of its differences", "[eos]", AnyEos) {
+  for (auto const& eos : variants(TestType{})) {
+    auto const density = [&](double rho, double p) { return rho * eos.energy(rho, p); };
+    for (auto const& [rho, p] : points(eos)) {
+      double const h = 2e-4, d_rho = h * rho, d_p = 0.7 * h * eos.bulk_modulus(rho, p);
+      double const up = density(rho + d_rho, p + d_p), down = density(rho - d_rho, p - d_p), here = density(rho, p);
+      double const difference = (up - here) - (here - down);
+      // what the second difference loses to round-off of rho e, and its next term: h^2 of it, over the law's exponents
+      double const size = std::fabs(up) + std::fabs(down) + std::fabs(here) + eos.bulk_modulus(rho, p);
+      CHECK(eos.energy_bend(rho, d_rho, d_p) ==
+            Approx(difference).epsilon(1e-4).margin(1e-15 * size + 1e-4 * h * h * size));
+    }
+  }
+}
+
 TEMPLATE_LIST_TEST_CASE("the admissible set is convex in the conserved variables", "[eos]", AnyEos) {
   for (auto const& eos : variants(TestType{})) {
     auto const all = points(eos);
