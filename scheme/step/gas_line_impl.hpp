@@ -48,8 +48,8 @@ struct GasLine::Impl {
   bool moving, curved, plain, cell_feet;
   Line line;
   GasCells now, next;
-  GasFaces faces, other_faces;  ///< `other_faces`: as the cell on the right sees them, with the points of OG (3.10)
-  Padded u_mean, p_mean, dK_dp;        ///< averages of u and p, and dK/dp, for predictors beyond second order
+  GasFaces faces, other_faces;   ///< `other_faces`: as the cell on the right sees them, with the points of OG (3.10)
+  Padded u_mean, p_mean, dK_dp;  ///< averages of u and p, and dK/dp, for predictors beyond second order
   Padded inc_rho, inc_u, inc_p, src_mass, src_momentum, src_energy;
   std::vector<double> switch_counts;
   std::vector<char> redone;
