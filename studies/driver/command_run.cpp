@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -55,7 +56,9 @@ Json result_json(Scene const& scene, SceneResult const& result, std::filesystem:
 }
 
 /// The default figure of every variant: profiles, x-t map and history of its runs together.
-void draw_variants(Scene const& scene, SceneResult const& result, std::filesystem::path const& out) {
+/// One figure a variant; false when one could not be drawn.
+bool draw_variants(Scene const& scene, SceneResult const& result, std::filesystem::path const& out) {
+  bool drawn = true;
   std::vector<std::string> variants;
   for (SceneRun const& run : scene.runs) {
     if (variants.empty() || variants.back() != run.variant) {
@@ -73,9 +76,28 @@ void draw_variants(Scene const& scene, SceneResult const& result, std::filesyste
     }
     if (!files.empty()) {
       files.push_back((out / (name + ".png")).string());
-      draw("scene", files);
+      drawn = draw("scene", files) && drawn;
     }
   }
+  return drawn;
+}
+
+/// Removes what an earlier run left in the folder, by its summary, so that results of two scenes never mix.
+void remove_last_results(std::filesystem::path const& out) {
+  std::ifstream file(out / "summary.json");
+  Json const last = Json::parse(file, nullptr, false);
+  if (!last.is_object() || !last.contains("runs")) return;
+  std::error_code ignored;
+  for (Json const& run : last["runs"]) {
+    std::string const name = run.value("name", ""), scheme = run.value("scheme", "");
+    if (name.empty() || name.find('/') != std::string::npos) continue;
+    for (char const* ending : {".h5", ".xdmf", ".failure.json"})
+      std::filesystem::remove(out / (name + ending), ignored);
+    if (name.size() > scheme.size() + 1) {
+      std::filesystem::remove(out / (name.substr(0, name.size() - scheme.size() - 1) + ".png"), ignored);
+    }
+  }
+  for (char const* name : {"runs.csv", "verdict.csv", "summary.json"}) std::filesystem::remove(out / name, ignored);
 }
 
 }  // namespace
@@ -86,6 +108,7 @@ int command_run(RunArguments const& arguments) {
   int const machine = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   fmt::print(stderr, "{}: {} run{} into {}\n", scene.title, scene.runs.size(), scene.runs.size() == 1 ? "" : "s",
              out.string());
+  if (!arguments.resume) remove_last_results(out);
   SceneResult const result = run_scene(scene, {.out = out,
                                                .threads = arguments.threads > 0 ? arguments.threads : machine,
                                                .resume = arguments.resume,
@@ -106,8 +129,10 @@ int command_run(RunArguments const& arguments) {
   for (auto const& [name, message] : result.failures) {
     fmt::print(stderr, "failed: {}\n  see {}/{}.failure.json\n", message, out.string(), name);
   }
+  bool drawn = true;
   if (arguments.figures) {
-    draw_variants(scene, result, out);
+    drawn = draw_variants(scene, result, out);
+    if (!drawn) fmt::print(stderr, "a figure could not be drawn; the results themselves are complete\n");
   }
   if (arguments.json) {
     fmt::print("{}\n", json.dump(2));
@@ -119,7 +144,7 @@ int command_run(RunArguments const& arguments) {
       fmt::print("{}\n", result.holds() ? "Every judged figure holds." : "A JUDGED FIGURE FAILS.");
     }
   }
-  return result.holds() ? 0 : 1;
+  return result.holds() && drawn ? 0 : 1;
 }
 
 }  // namespace g27

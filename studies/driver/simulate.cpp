@@ -178,7 +178,8 @@ std::string step_status_text(StepStatus status) {
     case StepStatus::mesh_tangled:
       return "mesh tangled";
     case StepStatus::time_step_vanished:
-      return "time step vanished";
+      return fmt::format("time step below {:g} of the run's duration (end it sooner, or take larger cells)",
+                         least_step);
   }
   return "unknown status";
 }

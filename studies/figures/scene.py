@@ -57,7 +57,8 @@ def space_time_map(axis, run):
     p = run["map/pressure"][:]
     spread = p.min() > 0 and p.max() > 100 * p.min()
     shown = np.log10(p) if spread else p
-    mesh = axis.pcolormesh(x, np.broadcast_to(t[:, None], x.shape), shown, shading="nearest", cmap="inferno",
+    moving = not np.allclose(x, x[0])  # cells that move have no common edges: colours between their centres instead
+    mesh = axis.pcolormesh(x, np.broadcast_to(t[:, None], x.shape), shown, shading="gouraud" if moving else "nearest", cmap="inferno",
                            rasterized=True)
     plt.colorbar(mesh, ax=axis, label="log10 of pressure [Pa]" if spread else "pressure [Pa]")
     axis.set_xlabel(f"x [{x_unit}]")

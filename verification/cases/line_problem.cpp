@@ -64,6 +64,7 @@ char const* name_of(Switch s) {
 }
 
 GasState<> primitive_of(AnyEos const& eos, GasConserved<> const& q) {
+  if (!(q.mass > 0)) return {0.0, 0.0, 0.0};  // a vacuum has no velocity: compared as at rest
   double const u = q.momentum / q.mass;
   double const e = q.energy / q.mass - 0.5 * u * u;
   return {q.mass, u, std::visit([&](auto const& law) { return law.pressure(q.mass, e); }, eos)};
