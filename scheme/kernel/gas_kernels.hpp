@@ -24,10 +24,15 @@ enum class PredictorKernel {
   count
 };
 
-/// Arrays are indexed by the face: cell arrays so that [-1], [0] | [1], [2] are the cells around face 0.
+/// Arrays are indexed by the face: cell arrays so that [-stride], [0] | [stride], [2 stride] are the cells around face
+/// 0: stride 1 for the faces of a row, the distance of two rows for the faces between them. Widths and mesh factors
+/// keep a stride of 1: where the rows lie across the faces they are the same for all.
 /// Loads and stores run over to the next multiple of the vector width.
 struct PredictArguments {
   std::size_t faces;
+  std::ptrdiff_t stride;      ///< between the cells on both sides of a face
+  std::ptrdiff_t inc_stride;  ///< the same for the increments
+  bool own_increments;        ///< each side takes the increment of its own cell, instead of a mean along its path
   double const *rho, *u, *p, *K;            ///< cells, K = rho c^2
   double const* dK_dp;                      ///< cells, dK/dp along the isentrope; predictors beyond second order
   double const *h, *inv_pair, *inv_triple;  ///< cells; inv_pair[j] = 1/(h[j] + h[j+1])
@@ -54,6 +59,7 @@ struct CountArguments {
 
 struct SolveArguments {
   std::size_t faces;
+  std::ptrdiff_t stride;  ///< between the cells on both sides of a face
   void const* eos;
   double const *rho, *u, *p, *margin;  ///< cells: what a face falls back to
   double const* w;                     ///< faces

@@ -35,10 +35,10 @@ void predict(PredictArguments const& g) noexcept {
   std::ptrdiff_t const n = static_cast<std::ptrdiff_t>(g.faces);
   V const h0(g.h[0]), pair0(g.inv_pair[0]), triple0(g.inv_triple[0]);
   for (std::ptrdiff_t f = 0; f < n; f += static_cast<std::ptrdiff_t>(width<V>)) {
-    Stencil<V> s{.z = load_cell<V>(g, f - 1),
+    Stencil<V> s{.z = load_cell<V>(g, f - g.stride),
                  .a = load_cell<V>(g, f),
-                 .b = load_cell<V>(g, f + 1),
-                 .y = load_cell<V>(g, f + 2),
+                 .b = load_cell<V>(g, f + g.stride),
+                 .y = load_cell<V>(g, f + 2 * g.stride),
                  .h_a = h0,
                  .h_b = h0,
                  .pair_za = pair0,
@@ -52,6 +52,7 @@ void predict(PredictArguments const& g) noexcept {
                  .foot_factor = V(1.0),
                  .linear_star = g.linear_star,
                  .incremented = increments,
+                 .own_increments = g.own_increments,
                  .inc_a = {},
                  .inc_b = {}};
     if constexpr (!uniform) {
@@ -64,9 +65,9 @@ void predict(PredictArguments const& g) noexcept {
     if constexpr (cell_feet) {
       s.foot_shift = load<V>(g.foot_shift + f), s.foot_factor = load<V>(g.foot_factor + f);
     }
-    if (increments) s.inc_a = load_increment<V>(g, f), s.inc_b = load_increment<V>(g, f + 1);
+    if (increments) s.inc_a = load_increment<V>(g, f), s.inc_b = load_increment<V>(g, f + g.inc_stride);
     if constexpr (Predictor::third_order) {
-      s.a.dK_dp = load<V>(g.dK_dp + f), s.b.dK_dp = load<V>(g.dK_dp + f + 1);
+      s.a.dK_dp = load<V>(g.dK_dp + f), s.b.dK_dp = load<V>(g.dK_dp + f + g.stride);
     }
     FacePrediction<V> const r = Predictor::predict(s, g.exponent);
     store_prediction(g, static_cast<std::size_t>(f), r);

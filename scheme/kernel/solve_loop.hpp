@@ -56,14 +56,14 @@ void solve_strong(SolveArguments& g, E const& eos) noexcept {
   std::size_t held = 0;
   auto const flush = [&](std::size_t n) {
     for (std::size_t i = n; i < W; ++i) index[i] = index[n - 1];
-    auto const cell = [&](std::size_t side) {
+    auto const cell = [&](std::ptrdiff_t side) {
       return GasState<V>{gather<V>(g.rho + side, index), gather<V>(g.u + side, index), gather<V>(g.p + side, index)};
     };
     V const w = gather<V>(g.w, index);
     GasState<V> l{gather<V>(g.l_rho, index), gather<V>(g.l_u, index), gather<V>(g.l_p, index)};
     GasState<V> r{gather<V>(g.r_rho, index), gather<V>(g.r_u, index), gather<V>(g.r_p, index)};
     l = guarded(eos, l, cell(0), gather<V>(g.margin, index));
-    r = guarded(eos, r, cell(1), gather<V>(g.margin + 1, index));
+    r = guarded(eos, r, cell(g.stride), gather<V>(g.margin + g.stride, index));
     l.u -= w, r.u -= w;
     FaceSolution<V> const s = solve_face<solver>(eos, l, r, Mask<V>(true));
     if (!all(s.converged)) {
@@ -120,13 +120,14 @@ template <class E, Lane V>
 void fluxes_hllc(SolveArguments& g, E const& eos) noexcept {
   for (std::size_t f = 0; f < g.faces; f += width<V>) {
     V const w = load<V>(g.w + f);
-    auto const cell = [&](std::size_t i) {
+    auto const cell = [&](std::ptrdiff_t i) {
       return GasState<V>{load<V>(g.rho + i), load<V>(g.u + i), load<V>(g.p + i)};
     };
     GasState<V> l{load<V>(g.l_rho + f), load<V>(g.l_u + f), load<V>(g.l_p + f)};
     GasState<V> r{load<V>(g.r_rho + f), load<V>(g.r_u + f), load<V>(g.r_p + f)};
-    l = guarded(eos, l, cell(f), load<V>(g.margin + f));
-    r = guarded(eos, r, cell(f + 1), load<V>(g.margin + f + 1));
+    std::ptrdiff_t const c = static_cast<std::ptrdiff_t>(f);
+    l = guarded(eos, l, cell(c), load<V>(g.margin + c));
+    r = guarded(eos, r, cell(c + g.stride), load<V>(g.margin + c + g.stride));
     l.u -= w, r.u -= w;
     GasConserved<V> const q = hllc_flux(eos, l, r);
     store(g.f_mass + f, q.mass);

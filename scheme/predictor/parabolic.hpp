@@ -74,10 +74,11 @@ struct ParabolicPredictor {
     };
     V e_p = deviation(hg_p, Bp, fwd_p), e_m = deviation(hg_m, Bm, fwd_m), e_0 = deviation(hg_0, gs1, fwd_0);
     if (s.incremented) {
-      // at a third of the path (the time mean of the rate along it), linear between the centres
+      // at a third of the path (the time mean of the rate along it), linear between the centres; or the upwind cell's
       auto const third = [&](V l, V in_a, V in_b) G27_INLINE_LAMBDA {
+        if (s.own_increments) return select(l >= 0.0, in_a, in_b);
         V const share = (s.h_a - l * (2.0 / 3.0)) * s.pair_ab;
-        return in_a + share * (in_b - in_a);
+        return V(in_a + share * (in_b - in_a));
       };
       GasState<V> const &ia = s.inc_a, &ib = s.inc_b;
       e_p += third(l_p, ia.p + Z * ia.u, ib.p + Z * ib.u);

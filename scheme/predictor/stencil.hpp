@@ -29,6 +29,7 @@ struct Stencil {
   V foot_shift, foot_factor;    ///< OG (3.10) only: corrections of the cell that the face is computed for [m, 1]
   bool linear_star;             ///< false: every face goes to the solver, so that no lane is weak
   bool incremented;             ///< the increments below are there
+  bool own_increments;          ///< each side takes that of its own cell
   GasState<V> inc_a, inc_b;     ///< half-step increments of a and b from sources, geometry, transverse terms
 };
 

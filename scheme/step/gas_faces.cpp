@@ -84,6 +84,9 @@ void GasLine::Impl::predict(FaceRun const& run, std::ptrdiff_t f, std::size_t co
 void GasLine::Impl::predict_row(FaceRun const& run, std::size_t count, PredictorRow const& row,
                                 FaceProblems& b) const noexcept {
   PredictArguments const g{.faces = count,
+                           .stride = 1,
+                           .inc_stride = 1,
+                           .own_increments = false,
                            .rho = row.rho,
                            .u = row.u,
                            .p = row.p,
@@ -139,6 +142,7 @@ std::size_t GasLine::Impl::solve(FaceRun const& run, std::ptrdiff_t f, std::size
                                  GasFaces& out, std::ptrdiff_t to) const noexcept {
   std::ptrdiff_t const c = f - 1;
   SolveArguments g{.faces = count,
+                   .stride = 1,
                    .eos = eos,
                    .rho = now.rho.data() + c,
                    .u = now.u.data() + c,
