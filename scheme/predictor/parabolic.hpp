@@ -73,6 +73,14 @@ struct ParabolicPredictor {
       return select(forward, e, -e);
     };
     V e_p = deviation(hg_p, Bp, fwd_p), e_m = deviation(hg_m, Bm, fwd_m), e_0 = deviation(hg_0, gs1, fwd_0);
+    // a contact that stands comes from both sides: mirror images stay so
+    Mask<V> const stands = l_0 == 0.0 && gs1 != 0.0;
+    V hg_0r = hg_0;
+    if (any(stands)) {
+      V again(0.0);
+      hg_0r = field<true>(s, gs0, gs1, gs2, l_0, Mask<V>(false), rho, rho, gate, c2, keep, again);
+      e_0 = select(stands, 0.5 * (e_0 + deviation(hg_0r, gs1, Mask<V>(false))), e_0);
+    }
     if (s.incremented) {
       // at a third of the path (the time mean of the rate along it), linear between the centres; or the upwind cell's
       auto const third = [&](V l, V in_a, V in_b) G27_INLINE_LAMBDA {
@@ -134,6 +142,7 @@ struct ParabolicPredictor {
     sides(Ap, Bp, Cp, l_p, fwd_p, hg_p, lp, rp);
     sides(Am, Bm, Cm, l_m, fwd_m, hg_m, lm, rm);
     sides(gs0, gs1, gs2, l_0, fwd_0, hg_0, l0, r0);
+    r0 = select(stands, -hg_0r, r0);
     V const x_l = 0.5 * (lp + lm), x_r = 0.5 * (rp + rm);
     GasState<V> left{a.rho + l0 + x_l * inv_c2, a.u + 0.5 * (lp - lm) * inv_Z, a.p + x_l};
     GasState<V> right{b.rho + r0 + x_r * inv_c2, b.u + 0.5 * (rp - rm) * inv_Z, b.p + x_r};

@@ -37,8 +37,15 @@ struct LinearTangential {
   G27_INLINE static TwoSides<V> sides(ContactPath<V> const& f, V z, V a, V b, V y) noexcept {
     Stencil<V> const& s = f.mesh;
     V const d = b - a;
-    V const phi = switch_value<kind>(s, (a - z) * s.pair_za, d * s.pair_ab, (y - b) * s.pair_by, f.speed >= 0.0, f.c);
-    return at_foot(f, a, d, b, phi);
+    V const A = (a - z) * s.pair_za, B = d * s.pair_ab, C = (y - b) * s.pair_by;
+    TwoSides<V> t = at_foot(f, a, d, b, switch_value<kind>(s, A, B, C, f.speed >= 0.0, f.c));
+    if constexpr (kind == Switch::graded) {
+      if (Mask<V> const stands = f.speed == 0.0; any(stands)) {
+        t.right =
+            select(stands, at_foot(f, a, d, b, switch_value<kind>(s, A, B, C, f.speed > 0.0, f.c)).right, t.right);
+      }
+    }
+    return t;
   }
   template <Lane V>
   G27_INLINE static TwoSides<V> at_foot(ContactPath<V> const& f, V a, V d, V b, V phi) noexcept {
@@ -67,7 +74,13 @@ struct ParabolicTangential {
     V const far = select(forward, C, A);
     V g = select(far * B > 0.0, select(abs(far) < abs(B), far, B), zero);
     if constexpr (!limited) g = B;
-    return {a + select(forward, hg, (s.h_a - f.l) * g), b - select(forward, (s.h_b + f.l) * g, hg)};
+    TwoSides<V> t{a + select(forward, hg, (s.h_a - f.l) * g), b - select(forward, (s.h_b + f.l) * g, hg)};
+    if (Mask<V> const stands = f.l == 0.0 && B != 0.0; any(stands)) {
+      V const from_right = ParabolicPredictor<limited>::template field<false>(s, A, B, C, f.l, Mask<V>(false), f.c, f.c,
+                                                                              zero, zero, V(1.0), switched);
+      t.right = select(stands, b - from_right, t.right);
+    }
+    return t;
   }
   /// With half of the speed's change along the path, as for the contact's density.
   template <Lane V>
