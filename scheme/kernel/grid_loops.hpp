@@ -67,18 +67,31 @@ void grid_average(GridAverageArguments const& g) noexcept {
   }
 }
 
+template <int dims, int axes, Lane V>
+G27_INLINE void grid_update_by(GridUpdateArguments const& g) noexcept {
+  for (std::size_t i = 0; i < g.cells; i += width<V>) {
+    auto const one = [&](auto const& row_of) G27_INLINE_LAMBDA {
+      V q = load<V>(row_of(g.from) + i);
+      for (std::size_t a = 0; a < axes; ++a) {
+        V const lambda(g.lambda[a]);
+        q -= lambda * V(load<V>(row_of(g.upper[a]) + i) - load<V>(row_of(g.lower[a]) + i));
+      }
+      store(row_of(g.to) + i, q);
+    };
+    one([](auto const& r) G27_INLINE_LAMBDA { return r.first; });
+    one([](auto const& r) G27_INLINE_LAMBDA { return r.vector[0]; });
+    one([](auto const& r) G27_INLINE_LAMBDA { return r.vector[1]; });
+    if constexpr (dims == 3) one([](auto const& r) G27_INLINE_LAMBDA { return r.vector[2]; });
+    one([](auto const& r) G27_INLINE_LAMBDA { return r.last; });
+  }
+}
+
 template <int dims, Lane V>
 void grid_update(GridUpdateArguments const& g) noexcept {
-  V const lambda(g.lambda);
-  for (std::size_t i = 0; i < g.cells; i += width<V>) {
-    auto const one = [&](double const* from, double const* lower, double const* upper, double* to) G27_INLINE_LAMBDA {
-      V q = load<V>(from + i);
-      q -= lambda * V(load<V>(upper + i) - load<V>(lower + i));
-      store(to + i, q);
-    };
-    one(g.from.first, g.lower.first, g.upper.first, g.to.first);
-    for (int a = 0; a < dims; ++a) one(g.from.vector[a], g.lower.vector[a], g.upper.vector[a], g.to.vector[a]);
-    one(g.from.last, g.lower.last, g.upper.last, g.to.last);
+  if (g.axes == 1) {
+    grid_update_by<dims, 1, V>(g);
+  } else {
+    grid_update_by<dims, 2, V>(g);
   }
 }
 

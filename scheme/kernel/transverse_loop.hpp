@@ -1,6 +1,7 @@
 #pragma once
 /// Transverse half-step terms of a row of cells.
 #include "riemann/base/lane.hpp"
+#include "scheme/kernel/carbuncle_loop.hpp"
 #include "scheme/kernel/grid_kernels.hpp"
 
 namespace g27 {
@@ -23,7 +24,8 @@ G27_INLINE V limited_difference(V below, V above, Mask<V> smooth) noexcept {
 }
 
 template <int dims, Lane V>
-void transverse(TransverseArguments const& g) noexcept {
+void transverse(TransverseArguments& g) noexcept {
+  g.any = false;
   std::ptrdiff_t const n = static_cast<std::ptrdiff_t>(g.cells);
   for (std::ptrdiff_t i = 0; i < n; i += static_cast<std::ptrdiff_t>(width<V>)) {
     V const rho = load<V>(g.primitive.first + i), p = load<V>(g.primitive.last + i), K = load<V>(g.K + i);
@@ -35,6 +37,7 @@ void transverse(TransverseArguments const& g) noexcept {
 
     // (dt/2) A W_x of every axis: density, velocities, pressure
     GridState<V> rate[dims];
+    bool rough = false;
     for (int a = 0; a < dims; ++a) {
       std::ptrdiff_t const s = g.stride[static_cast<std::size_t>(a)];
       V const k(g.half_dt_over_h[static_cast<std::size_t>(a)]);
@@ -53,6 +56,7 @@ void transverse(TransverseArguments const& g) noexcept {
       V d_rho = 0.5 * (r_b + r_a), d_p = 0.5 * (p_b + p_a), d_u[3];
       for (int c = 0; c < dims; ++c) d_u[c] = 0.5 * (u_b[c] + u_a[c]);
       if (!all(smooth)) {
+        rough = true;
         d_rho = limited_difference(r_b, r_a, smooth), d_p = limited_difference(p_b, p_a, smooth);
         for (int c = 0; c < dims; ++c) d_u[c] = limited_difference(u_b[c], u_a[c], smooth);
       }
@@ -61,6 +65,12 @@ void transverse(TransverseArguments const& g) noexcept {
       rate[a].p = v * d_p + K * spread;
       for (int c = 0; c < dims; ++c) rate[a].u[c] = v * d_u[c];
       rate[a].u[a] += k * d_p * inv_rho;
+    }
+    if (g.flag != nullptr) {
+      V flag(0.0);
+      if (rough) flag = shock_flag<dims, V>(g.primitive, g.K, g.stride, i);
+      store(g.flag + i, flag);
+      if (any(flag > 0.0)) g.any = g.any || flagged(flag, i, n);
     }
     for (int a = 0; a < dims; ++a) {
       RowOut const& out = g.term[static_cast<std::size_t>(a)];
