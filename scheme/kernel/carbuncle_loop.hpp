@@ -21,6 +21,7 @@ G27_INLINE V shock_flag(RowIn const& primitive, double const* K, std::array<std:
   V const p = load<V>(primitive.last + i), rho = load<V>(primitive.first + i), K_here = load<V>(K + i);
   V most[dims], waves[dims];
   Mask<V> shock[dims], strong(false);
+#pragma GCC unroll 3
   for (int a = 0; a < dims; ++a) {
     std::ptrdiff_t const s = stride[static_cast<std::size_t>(a)];
     V const below = load<V>(primitive.last + i - s), above = load<V>(primitive.last + i + s);
@@ -32,18 +33,22 @@ G27_INLINE V shock_flag(RowIn const& primitive, double const* K, std::array<std:
   }
   V flag(0.0);
   if (!any(strong)) return flag;
+#pragma GCC unroll 3
   for (int a = 0; a < dims; ++a) {
     std::ptrdiff_t const s = stride[static_cast<std::size_t>(a)];
     waves[a] += abs(load<V>(primitive.first + i + s) - rho) + abs(rho - load<V>(primitive.first + i - s));
+#pragma GCC unroll 3
     for (int c = 0; c < dims; ++c) {
       double const* const u = primitive.vector[c] + i;
       waves[a] += abs(load<V>(u + s) - load<V>(u)) + abs(load<V>(u) - load<V>(u - s));
     }
   }
+#pragma GCC unroll 3
   for (int a = 0; a < dims; ++a) {
     double const* const u = primitive.vector[a] + i;
     std::ptrdiff_t const s = stride[static_cast<std::size_t>(a)];
     Mask<V> in_shock = shock[a] && load<V>(u + s) < load<V>(u - s), disturbed(false);
+#pragma GCC unroll 3
     for (int b = 0; b < dims; ++b) {
       if (b == a) continue;
       in_shock = in_shock && most[b] <= cure_alignment * most[a];
@@ -87,6 +92,7 @@ void hlle(HlleArguments const& g) noexcept {
     auto const side = [&](std::ptrdiff_t i, V& rho, V* u, V& p, V& c2, V& energy) G27_INLINE_LAMBDA {
       rho = load<V>(g.primitive.first + i), p = load<V>(g.primitive.last + i);
       V kinetic(0.0);
+#pragma GCC unroll 3
       for (int c = 0; c < dims; ++c) u[c] = load<V>(g.primitive.vector[c] + i), kinetic += u[c] * u[c];
       c2 = eos.bulk_modulus(rho, p) / rho;
       energy = rho * (eos.energy(rho, p) + 0.5 * kinetic);
@@ -109,6 +115,7 @@ void hlle(HlleArguments const& g) noexcept {
     V const m_l = rho_l * n_l, m_r = rho_r * n_r;
     put(g.flux.first, flux(m_l, m_r, rho_l, rho_r));
     put(g.flux.last, flux(V((e_l + p_l) * n_l), V((e_r + p_r) * n_r), e_l, e_r));
+#pragma GCC unroll 3
     for (int c = 0; c < dims; ++c) {
       V const push_l = c == axis ? V(m_l * u_l[c] + p_l) : V(m_l * u_l[c]);
       V const push_r = c == axis ? V(m_r * u_r[c] + p_r) : V(m_r * u_r[c]);

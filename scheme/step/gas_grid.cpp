@@ -15,7 +15,7 @@ namespace g27 {
 namespace {
 
 /// Tile sizes that measured fastest: rows of eight vectors, and arrays that stay in the second cache.
-constexpr Int3 tile_2d{128, 64, 1}, tile_3d{64, 16, 32};
+constexpr Int3 tile_2d{128, 64, 1}, tile_3d{128, 16, 32};
 
 constexpr std::ptrdiff_t vector_cells = 8;  ///< the widest vector of any instruction set
 
