@@ -95,7 +95,7 @@ TEST_CASE("manufactured sources in space balance the equations", "[mms]") {
 TEST_CASE("mean sources in space integrate the balance over a cell and a step", "[mms]") {
   // change of the cell's content plus outflow equals source: each term by its own quadrature
   IdealLaw const law{1.4};
-  ManufacturedNd<3, Fields, IdealLaw> const m({1.1, 0.8, 1.7}, law, 4);
+  ManufacturedNd<3, Fields, IdealLaw> const m({1.1, 0.8, 1.7}, law, 3);
   Vec3 const x{0.5, 0.1, -0.2}, h{0.05, 0.04, 0.06};
   double const t = 0.1, dt = 0.03;
   GasDensities const before = m.average(x, h, t), after = m.average(x, h, t + dt), s = m.mean_source(x, h, t, dt);

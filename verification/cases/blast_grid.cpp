@@ -25,13 +25,24 @@ void make_corner(GridProblem& grid, GridBoundary const& high) {
   for (std::size_t d = 0; d < 3; ++d) grid.sides[2 * d] = wall_side, grid.sides[2 * d + 1] = high;
 }
 
-GasState<> with_cold_gas(GasState<> s) {
-  s.p += cold;
+GasState<> with_cold_gas(GasState<> s, double p = cold) {
+  s.p += p;
   return s;
+}
+
+/// Where the pressure falls outwards through half its peak on the ray beyond half the exact radius.
+double shock_on_ray(GridProbe const& p, Vec3 const& direction, double exact, double length) {
+  double peak = 0;
+  for (int i = 0; i <= 400; ++i) {
+    double const s = 0.5 * exact + (length - 0.5 * exact) * i / 400;
+    peak = std::max(peak, p.at({s * direction[0], s * direction[1], s * direction[2]}));
+  }
+  return p.front({0, 0, 0}, direction, length, 0.5 * peak);
 }
 
 std::vector<CaseParameter> const sedov_parameters{
     {"source_cells", 1, "1", "cells along an edge of the cube at the origin where the energy starts"}};
+std::vector<CaseParameter> const noh_parameters{{"pressure", cold, "Pa", "of the gas that falls in"}};
 
 }  // namespace
 
@@ -56,9 +67,8 @@ Case sedov_grid_case(std::string const& name, int dimensions) {
         grid.eos, dimensions, [=](double r) { return with_cold_gas(sedov->at(r, 1.0)); }, 1.0);
     grid.measure = [=](GasGrid const& done, CaseResult& r) {
       GridProbe const p(done, GasGrid::Field::pressure), rho(done, GasGrid::Field::density);
-      double const level = 0.5 * sedov->shocked(1.0).p;
-      r.facts["shock_radius_axis"] = p.front({0, 0, 0}, {1, 0, 0}, size, level);
-      r.facts["shock_radius_diagonal"] = p.front({0, 0, 0}, diagonal(dimensions), size, level);
+      r.facts["shock_radius_axis"] = shock_on_ray(p, {1, 0, 0}, 1.0, size);
+      r.facts["shock_radius_diagonal"] = shock_on_ray(p, diagonal(dimensions), 1.0, size);
       r.facts["shock_radius_exact"] = sedov->shock_radius(1.0);
       r.facts["density_peak"] = rho.most();
       r.facts["density_peak_exact"] = sedov->shocked(1.0).rho;
@@ -80,23 +90,24 @@ Case noh_grid_case(std::string const& name, int dimensions) {
   int const cells = dimensions == 2 ? 100 : 48;
   auto const run = [=](CaseOptions const& options) {
     Noh const noh{.symmetry = dimensions - 1};
+    double const pressure = value_of(noh_parameters, options, "pressure");
     GridProblem grid{.eos = IdealGas{noh.gamma}, .dimensions = dimensions, .t_end = 0.6};
     make_corner(grid, inflow_side([=](Vec3 const& x, double t) -> GasPoint {
                   double const r = std::sqrt(x[0] * x[0] + x[1] * x[1] + (dimensions > 2 ? x[2] * x[2] : 0.0));
-                  GasState<> const s = with_cold_gas(noh.at(r, t));
+                  GasState<> const s = with_cold_gas(noh.at(r, t), pressure);
                   return {s.rho, {s.u * x[0] / r, s.u * x[1] / r, dimensions > 2 ? s.u * x[2] / r : 0.0}, s.p};
                 }));
     auto const at = [=, eos = grid.eos](double t) {
       return radial_mean(
-          eos, dimensions, [=](double r) { return with_cold_gas(noh.at(r, t)); }, noh.shock_speed() * t);
+          eos, dimensions, [=](double r) { return with_cold_gas(noh.at(r, t), pressure); }, noh.shock_speed() * t);
     };
     grid.initial = at(0.0), grid.reference = at(grid.t_end);
     grid.measure = [=](GasGrid const& done, CaseResult& r) {
       GridProbe const p(done, GasGrid::Field::pressure), rho(done, GasGrid::Field::density);
-      double const shock = noh.shock_speed() * 0.6, level = 0.5 * noh.shocked().p;
+      double const shock = noh.shock_speed() * 0.6;
       Vec3 const d = diagonal(dimensions);
-      r.facts["shock_radius_axis"] = p.front({0, 0, 0}, {1, 0, 0}, 0.9, level);
-      r.facts["shock_radius_diagonal"] = p.front({0, 0, 0}, d, 0.9, level);
+      r.facts["shock_radius_axis"] = shock_on_ray(p, {1, 0, 0}, shock, 0.9);
+      r.facts["shock_radius_diagonal"] = shock_on_ray(p, d, shock, 0.9);
       r.facts["shock_radius_exact"] = shock;
       // between the heated centre and the profile of the shock
       r.facts["density_plateau_axis"] = rho.at({0.6 * shock, 0, 0});
@@ -113,6 +124,7 @@ Case noh_grid_case(std::string const& name, int dimensions) {
           .dimensions = dimensions,
           .default_cells = cells,
           .meshes = grid_meshes(),
+          .parameters = noh_parameters,
           .run = run};
 }
 

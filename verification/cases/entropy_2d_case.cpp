@@ -5,6 +5,14 @@
 
 namespace g27 {
 
+namespace {
+
+std::vector<CaseParameter> const parameters{{"mach_x", 0.4, "1", "velocity along x over the sound speed"},
+                                            {"mach_y", 0.15, "1", "velocity along y over the sound speed"},
+                                            {"time", 1, "1", "end, in sound periods of the wave"}};
+
+}  // namespace
+
 Case entropy_2d_case() {
   return {.name = "entropy-2d",
           .title = "oblique density wave of 20 % (JWL 5 %, Mie-Grueneisen 1 %) in a flow across it and along it",
@@ -13,12 +21,15 @@ Case entropy_2d_case() {
           .default_cells = 128,
           .eos = media(),
           .meshes = grid_meshes(),
+          .parameters = parameters,
           .run = [](CaseOptions const& options) {
             Medium const m = medium(options.eos.value_or("ideal"));
             ObliqueBox const box = oblique_box(2);
-            Vec3 const flow{0.4 * m.sound, 0.15 * m.sound, 0};
+            Vec3 const flow{value_of(parameters, options, "mach_x") * m.sound,
+                            value_of(parameters, options, "mach_y") * m.sound, 0};
             double const across = flow[0] * box.normal[0] + flow[1] * box.normal[1], k = 2.0 * std::numbers::pi;
-            GridProblem grid{.eos = m.eos, .upper = box.upper, .t_end = 1 / m.sound};
+            GridProblem grid{
+                .eos = m.eos, .upper = box.upper, .t_end = value_of(parameters, options, "time") / m.sound};
             make_periodic(grid);
             auto const at = [=](double t) {
               return mean_of(m.eos, 2, [=](Vec3 const& x) -> GasPoint {

@@ -34,9 +34,8 @@ struct Waves {
 
 template <std::size_t D, class Law>
 GridProblem manufactured(Medium const& m, Law const& law) {
-  // two points a direction keep three dimensions affordable: the source then errs by h^4 (2 pi)^4/4320 of itself
   ManufacturedNd<D, Waves, Law> const fields(
-      Waves{m.base.rho, m.sound, m.base.p, std::min(0.1, 2.0 * m.density_swing), int{D}}, law, D == 2 ? 3 : 2);
+      Waves{m.base.rho, m.sound, m.base.p, std::min(0.1, 2.0 * m.density_swing), int{D}}, law);
   GridProblem grid{.eos = m.eos, .dimensions = static_cast<int>(D), .t_end = 0.5 / m.sound};
   make_periodic(grid);
   grid.source = fields.grid_source();
