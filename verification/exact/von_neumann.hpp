@@ -2,9 +2,9 @@
 /// Linear stability of unsplit schemes for the Euler equations on uniform flow: the amplification matrix of a Fourier
 /// mode, from the scheme's formulas alone.
 ///
-/// Fields are symmetrised, (p/(rho c), u, v, w, S), so that the flux matrices are symmetric and the norm is the energy's.
-/// Each characteristic family of a face is a mean of the two cells, (1 + nu)/2 and (1 - nu)/2 with nu = lambda dt/h (a
-/// linear profile sampled where the characteristic starts); or the swept average of the upwind parabola.
+/// Fields are symmetrised, (p/(rho c), u, v, w, S), so that the flux matrices are symmetric and the norm is the
+/// energy's. Each characteristic family of a face is a mean of the two cells, (1 + nu)/2 and (1 - nu)/2 with nu =
+/// lambda dt/h (a linear profile sampled where the characteristic starts); or the swept average of the upwind parabola.
 #include <array>
 
 namespace g27 {
