@@ -202,7 +202,7 @@ struct ParabolicPredictor {
     V const d = D * sign;
     V bound;
     if constexpr (!entropy) {
-      bound = min(4.0 * d, 2.0 * size_B);
+      bound = min(min(V(4.0), 2.0 * h_u / (swept + parabolic::least_share * h_u)) * d, 2.0 * size_B);
     } else {
       // Compression of a contact: where the slope is the steepest of three, by more than the threshold, and no
       // pressure jump goes with it, up to the universal bounds (no new extremum in the swept interval).
