@@ -83,8 +83,8 @@ struct LinearPredictor {
     Mask<V> const left_of_contact = u_s > s.w;
     V const rho_s = select(left_of_contact, rho_l + (p_s - pz_l) * inv_c2, rho_r + (p_s - pz_r) * inv_c2);
     V const K_min = min(a.K, b.K);
-    Mask<V> const weak = Mask<V>(s.linear_star) && abs(d_p) <= weak_pressure * K_min &&
-                         abs(d_u) <= weak_velocity * c && rho_s > 0.2 * min(a.rho, b.rho);
+    Mask<V> const weak = Mask<V>(s.linear_star) && abs(d_p) <= weak_pressure * K_min && abs(d_u) <= weak_velocity * c &&
+                         rho_s > 0.2 * min(a.rho, b.rho);
     V const one(1.0), zero(0.0);
     V const switched = select(phi_p < 1.0, one, zero) + select(phi_m < 1.0, one, zero) + select(phi_0 < 1.0, one, zero);
 
