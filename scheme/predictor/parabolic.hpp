@@ -203,11 +203,9 @@ struct ParabolicPredictor {
     V const d = D * sign;
     V bound;
     if constexpr (!entropy) {
-      // No new extremum in the swept interval: slopes up to 2 d/nu, here up to its tangent at nu = 0.8, which lies
-      // below. Expansions bear a larger share of the face's own slope than shocks.
-      V const nu = s.uniform ? 2.0 * swept : swept / h_u;
+      // expansions bear a larger share of the face's own slope than shocks
       V const share = select(expands, V(parabolic::share_expansion), V(parabolic::share_compression));
-      bound = min(select(expands, V(4.0), min(V(4.0), 5.0 - 3.125 * nu)) * d, share * size_B);
+      bound = min(4.0 * d, share * size_B);
     } else {
       // Compression of a contact: where the slope is the steepest of three, by more than the threshold, and no
       // pressure jump goes with it, up to the universal bounds (no new extremum in the swept interval).
