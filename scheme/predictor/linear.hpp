@@ -90,15 +90,10 @@ struct LinearPredictor {
     u_s = select(from_left, left.u, select(from_right, right.u, u_s));
     Mask<V> const left_of_contact = u_s > s.w;
     V const rho_s = select(left_of_contact, rho_l + (p_s - pz_l) * inv_c2, rho_r + (p_s - pz_r) * inv_c2);
-<<<<<<< HEAD
-    V const phi_min = min(phi_p, min(phi_m, min(phi_0, phi_0r))), K_min = min(a.K, b.K);
-    Mask<V> const weak = Mask<V>(s.linear_star) && phi_min == 1.0 && abs(d_p) <= weak_pressure * K_min &&
-                         abs(d_u) <= weak_velocity * c && rho_s > 0.2 * min(a.rho, b.rho);
-=======
     V const K_min = min(a.K, b.K);
-    Mask<V> const weak = Mask<V>(s.linear_star) && abs(d_p) <= weak_pressure * K_min && abs(d_u) <= weak_velocity * c &&
-                         rho_s > 0.2 * min(a.rho, b.rho);
->>>>>>> wtA
+    Mask<V> weak = Mask<V>(s.linear_star) && abs(d_p) <= weak_pressure * K_min && abs(d_u) <= weak_velocity * c &&
+                   rho_s > 0.2 * min(a.rho, b.rho);
+    if (s.incremented && s.own_increments) weak = weak && alike(s.inc_a, s.inc_b, rho, K_min, c);
     V const one(1.0), zero(0.0);
     V const switched = select(phi_p < 1.0, one, zero) + select(phi_m < 1.0, one, zero) + select(phi_0 < 1.0, one, zero);
 

@@ -101,6 +101,7 @@ struct ParabolicPredictor {
     V const p_s = p + x_s, u_s = u + 0.5 * (e_p - e_m) * inv_Z, rho_s = rho + e_0 + x_s * inv_c2;
     Mask<V> const allow(s.linear_star);
     Mask<V> weak = allow && abs(d_p) <= weak_pressure * K_min && abs(d_u) <= weak_velocity * c && rho_s > 0.2 * rho_min;
+    if (s.incremented && s.own_increments) weak = weak && alike(s.inc_a, s.inc_b, rho, K_min, c);
     FacePrediction<V> out{.star = {rho_s, u_s, p_s},
                           .change = {zero, zero, zero},
                           .left = state(a),
