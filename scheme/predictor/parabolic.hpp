@@ -82,7 +82,7 @@ struct ParabolicPredictor {
     V hg_0r = hg_0;
     if (any(stands)) {
       V again(0.0);
-      hg_0r = field<true>(s, gs0, gs1, gs2, l_0, Mask<V>(false), rho, rho, gate, c2, slow, again);
+      hg_0r = field<true>(s, gs0, gs1, gs2, l_0, Mask<V>(false), rho, rho, gate, c2, slow, again, Mask<V>(false));
       e_0 = select(stands, 0.5 * (e_0 + deviation(hg_0r, gs1, Mask<V>(false))), e_0);
     }
     if (s.incremented) {
