@@ -2,10 +2,10 @@
 /// From a line in cylindrical or spherical symmetry to a grid of two or three dimensions, once and conservatively.
 ///
 /// A grid cell takes the mean, over samples^dimensions points, of linear profiles in the line's cells. What the points
-/// of all cells lack of the line's mass, momentum and energy (1e-4 of the wave or less) goes to the cells in proportion
-/// to how far each differs from the gas outside. Handing each shell's content to the points that lie in it would be
-/// exact at once, but the number of lattice points in a thin shell scatters by per cents, and so would the density.
-/// Cells beyond the wave take the gas outside bit by bit: they stay uniform.
+/// of all cells lack of the line's mass, momentum and energy goes to the cells in proportion to how far each differs
+/// from the gas outside. Handing each shell's content to the points that lie in it would be exact at once, but the
+/// number of points in a shell scatters: with 4 points a direction and shells of a third of a cell, uniform gas comes
+/// out with noise of up to 1 %. Cells beyond the wave take the gas outside bit by bit: they stay uniform.
 #include "scheme/step/gas_grid_options.hpp"
 #include "scheme/step/gas_line.hpp"
 
