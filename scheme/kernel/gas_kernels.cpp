@@ -1,6 +1,7 @@
 #include "scheme/kernel/gas_kernels.hpp"
 
 #include <cstdlib>
+#include <stdexcept>
 #include <string_view>
 
 namespace g27 {
@@ -59,6 +60,36 @@ GasKernels const& gas_kernels() noexcept {
     return best;
   }();
   return *chosen;
+}
+
+PredictorKernel predictor_kernel(Predictor predictor, Switch monotonicity, FootPoints feet, bool single_foot) {
+  bool const per_cell = feet != FootPoints::conservative;
+  if (per_cell && (predictor != Predictor::linear || monotonicity != Switch::off)) {
+    throw std::invalid_argument("the points of (3.10) go with the linear predictor and the switch off");
+  }
+  switch (predictor) {
+    case Predictor::godunov:
+      return PredictorKernel::godunov;
+    case Predictor::muscl:
+      return PredictorKernel::muscl;
+    case Predictor::parabolic:
+      return monotonicity == Switch::off ? PredictorKernel::parabolic_off : PredictorKernel::parabolic_on;
+    case Predictor::linear:
+      break;
+  }
+  if (per_cell) return PredictorKernel::linear_cell_feet;
+  if (single_foot) return PredictorKernel::linear_single_foot;
+  switch (monotonicity) {
+    case Switch::off:
+      return PredictorKernel::linear_off;
+    case Switch::literal:
+      return PredictorKernel::linear_literal;
+    case Switch::binary:
+      return PredictorKernel::linear_binary;
+    case Switch::graded:
+      return PredictorKernel::linear_graded;
+  }
+  return PredictorKernel::linear_graded;
 }
 
 }  // namespace g27

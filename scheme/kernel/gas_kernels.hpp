@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "riemann/eos/registry.hpp"
+#include "scheme/kernel/grid_kernels.hpp"
 #include "scheme/step/gas_options.hpp"
 
 namespace g27 {
@@ -24,21 +25,29 @@ enum class PredictorKernel {
   count
 };
 
+/// Predictors that need the averages of the primitives and fluxes averaged over the step.
+constexpr bool is_third_order(PredictorKernel p) noexcept {
+  return p == PredictorKernel::parabolic_on || p == PredictorKernel::parabolic_off;
+}
+
+/// The kernel of a scheme. Throws std::invalid_argument for choices that do not go together.
+PredictorKernel predictor_kernel(Predictor predictor, Switch monotonicity, FootPoints feet, bool single_foot);
+
 /// Arrays are indexed by the face: cell arrays so that [-stride], [0] | [stride], [2 stride] are the cells around face
 /// 0: stride 1 for the faces of a row, the distance of two rows for the faces between them. Widths and mesh factors
 /// keep a stride of 1: where the rows lie across the faces they are the same for all.
 /// Loads and stores run over to the next multiple of the vector width.
 struct PredictArguments {
   std::size_t faces;
-  std::ptrdiff_t stride;      ///< between the cells on both sides of a face
-  std::ptrdiff_t inc_stride;  ///< the same for the increments
-  bool own_increments;        ///< each side takes the increment of its own cell, instead of a mean along its path
-  double const *rho, *u, *p, *K;            ///< cells, K = rho c^2
-  double const* dK_dp;                      ///< cells, dK/dp along the isentrope; predictors beyond second order
-  double const *h, *inv_pair, *inv_triple;  ///< cells; inv_pair[j] = 1/(h[j] + h[j+1])
-  double const* w;                          ///< faces
-  double const *inc_rho, *inc_u, *inc_p;    ///< cells, half-step increments; null: none
-  double const *foot_shift, *foot_factor;   ///< faces; OG (3.10) only
+  std::ptrdiff_t stride;          ///< between the cells on both sides of a face
+  bool own_increments;            ///< each side takes the increment of its own cell, instead of a mean along its path
+  double const *rho, *u, *p, *K;  ///< cells, K = rho c^2
+  double const* dK_dp;            ///< cells, dK/dp along the isentrope; predictors beyond second order
+  double const *h, *inv_pair, *inv_triple;   ///< cells; inv_pair[j] = 1/(h[j] + h[j+1])
+  double const* w;                           ///< faces
+  double const *inc_rho, *inc_u, *inc_p;     ///< half-step increments of the cells on the left; null: none
+  double const *next_rho, *next_u, *next_p;  ///< and of the cells on the right
+  double const *foot_shift, *foot_factor;    ///< faces; OG (3.10) only
   double dt, exponent;
   bool linear_star;  ///< false: every face goes to the solver
   /// out, faces: the states of the Riemann problem, the star state, the number of switched fields
@@ -116,6 +125,7 @@ struct EosKernels {
   Primitive primitive;
   Update update;
   Average average;
+  GridEosKernels grid;  ///< two and three dimensions
 };
 
 struct GasKernels {
@@ -128,6 +138,7 @@ struct GasKernels {
     std::size_t width;
     PredictTable table;
     void (*count)(CountArguments&);
+    GridLoops grid;  ///< two and three dimensions
   };
 
   char const* isa;

@@ -13,8 +13,12 @@ G27_INLINE Cell<V> load_cell(PredictArguments const& g, std::ptrdiff_t i) noexce
   return {load<V>(g.rho + i), load<V>(g.u + i), load<V>(g.p + i), load<V>(g.K + i), V(0.0)};
 }
 template <Lane V>
-G27_INLINE GasState<V> load_increment(PredictArguments const& g, std::ptrdiff_t i) noexcept {
+G27_INLINE GasState<V> left_increment(PredictArguments const& g, std::ptrdiff_t i) noexcept {
   return {load<V>(g.inc_rho + i), load<V>(g.inc_u + i), load<V>(g.inc_p + i)};
+}
+template <Lane V>
+G27_INLINE GasState<V> right_increment(PredictArguments const& g, std::ptrdiff_t i) noexcept {
+  return {load<V>(g.next_rho + i), load<V>(g.next_u + i), load<V>(g.next_p + i)};
 }
 
 /// Stores one vector of predictions; the two sides only where a problem is left to solve.
@@ -65,7 +69,7 @@ void predict(PredictArguments const& g) noexcept {
     if constexpr (cell_feet) {
       s.foot_shift = load<V>(g.foot_shift + f), s.foot_factor = load<V>(g.foot_factor + f);
     }
-    if (increments) s.inc_a = load_increment<V>(g, f), s.inc_b = load_increment<V>(g, f + g.inc_stride);
+    if (increments) s.inc_a = left_increment<V>(g, f), s.inc_b = right_increment<V>(g, f);
     if constexpr (Predictor::third_order) {
       s.a.dK_dp = load<V>(g.dK_dp + f), s.b.dK_dp = load<V>(g.dK_dp + f + g.stride);
     }
@@ -110,7 +114,7 @@ void predict_muscl(PredictArguments const& g) noexcept {
       w_r = load<V>(g.w + c), w_l = load<V>(g.w + c - 1);
     }
     GasState<V> inc{};
-    if (increments) inc = load_increment<V>(g, c);
+    if (increments) inc = left_increment<V>(g, c);
     CellEdges<V> const e = muscl_edges(load_cell<V>(g, c - 1), load_cell<V>(g, c), load_cell<V>(g, c + 1), pair_m,
                                        pair_p, h, dt, w_l, w_r, increments, inc);
     store(g.l_rho + c, e.right.rho), store(g.l_u + c, e.right.u), store(g.l_p + c, e.right.p);

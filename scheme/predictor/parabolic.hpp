@@ -149,48 +149,6 @@ struct ParabolicPredictor {
     return out;
   }
 
- private:
-  template <Lane V>
-  struct Slopes {
-    V rho, u, p, K;
-  };
-
-  /// What a nonlinear flow adds to the mean of the face state over the step, to third order, beyond the swept averages.
-  /// From W_t = -A W_x the mean is W - (dt/2) A W_x + (dt^2/6) (A^2 W_xx + A (A_x W_x) - A'[W_t] W_x); the swept
-  /// averages with their shortened lengths hold all of it but the last two terms, of which they hold
-  /// (dt^2/3) lambda lambda_x for every field. v: velocity over the face; rate, rate_K: d/dt of the state and of K.
-  template <Lane V>
-  G27_INLINE static GasState<V> quadratic(V dt, V rho, V v, V K, V c, GasState<V> const& rate, V rate_K,
-                                          Slopes<V> const& x) noexcept {
-    V const inv_rho = 1.0 / rho, inv_rho2 = inv_rho * inv_rho, Z = rho * c, inv_c2 = rho / K;
-    // B = A_x W_x
-    V const b_rho = 2.0 * x.rho * x.u, b_u = x.u * x.u - x.rho * x.p * inv_rho2, b_p = (x.K + x.p) * x.u;
-    V const q_rho = v * b_rho + rho * b_u - rate.u * x.rho - rate.rho * x.u;
-    V const q_u = v * b_u + b_p * inv_rho - rate.u * x.u + rate.rho * x.p * inv_rho2;
-    V const q_p = K * b_u + v * b_p - rate_K * x.u - rate.u * x.p;
-    // already there, by the shortened lengths
-    V const c_x = 0.5 * c * (x.K / K - x.rho * inv_rho);
-    V const s_p = 2.0 * (v + c) * (x.u + c_x) * (x.p + Z * x.u), s_m = 2.0 * (v - c) * (x.u - c_x) * (x.p - Z * x.u);
-    V const s_0 = 2.0 * v * x.u * (x.rho - x.p * inv_c2);
-    V const have_p = 0.5 * (s_p + s_m), have_u = 0.5 * (s_p - s_m) / Z, have_rho = s_0 + have_p * inv_c2;
-    V const k = dt * dt * (1.0 / 6.0);
-    return {k * (q_rho - have_rho), k * (q_u - have_u), k * (q_p - have_p)};
-  }
-
-  /// 0 on faces near a strong shock that hardly moves over the mesh (relative to the sound speed), 1 elsewhere.
-  template <Lane V>
-  G27_INLINE static V slow_shock(Stencil<V> const& s, V c) noexcept {
-    V const one(1.0), zero(0.0);
-    auto const jump = [&](Cell<V> const& l, Cell<V> const& r) G27_INLINE_LAMBDA {
-      return abs(r.p - l.p) > parabolic::shock_pressure * min(l.K, r.K) && r.u < l.u &&
-             abs(r.rho * (r.u - s.w) - l.rho * (l.u - s.w)) <= parabolic::shock_slowness * c * abs(r.rho - l.rho);
-    };
-    V const low = min(min(s.z.p, s.a.p), min(s.b.p, s.y.p)), high = max(max(s.z.p, s.a.p), max(s.b.p, s.y.p));
-    V const K_low = min(min(s.z.K, s.a.K), min(s.b.K, s.y.K));
-    if (!any(high - low > parabolic::shock_pressure * K_low)) return one;
-    return select(jump(s.z, s.a) || jump(s.a, s.b) || jump(s.b, s.y), zero, one);
-  }
-
   /// (h_u - s) times the bounded slope over the swept interval.
   template <bool entropy, Lane V>
   G27_INLINE static V field(Stencil<V> const& s, V A, V B, V C, V l, Mask<V> forward, V scale, V rho, V gate, V c2,
@@ -239,6 +197,48 @@ struct ParabolicPredictor {
     // round-off noise in a field that is not there is bounded too, to no effect: it does not count
     switched += select(abs(g - lin) * h_sum > parabolic::round_off * scale, one, zero);
     return rest * g;
+  }
+
+ private:
+  template <Lane V>
+  struct Slopes {
+    V rho, u, p, K;
+  };
+
+  /// What a nonlinear flow adds to the mean of the face state over the step, to third order, beyond the swept averages.
+  /// From W_t = -A W_x the mean is W - (dt/2) A W_x + (dt^2/6) (A^2 W_xx + A (A_x W_x) - A'[W_t] W_x); the swept
+  /// averages with their shortened lengths hold all of it but the last two terms, of which they hold
+  /// (dt^2/3) lambda lambda_x for every field. v: velocity over the face; rate, rate_K: d/dt of the state and of K.
+  template <Lane V>
+  G27_INLINE static GasState<V> quadratic(V dt, V rho, V v, V K, V c, GasState<V> const& rate, V rate_K,
+                                          Slopes<V> const& x) noexcept {
+    V const inv_rho = 1.0 / rho, inv_rho2 = inv_rho * inv_rho, Z = rho * c, inv_c2 = rho / K;
+    // B = A_x W_x
+    V const b_rho = 2.0 * x.rho * x.u, b_u = x.u * x.u - x.rho * x.p * inv_rho2, b_p = (x.K + x.p) * x.u;
+    V const q_rho = v * b_rho + rho * b_u - rate.u * x.rho - rate.rho * x.u;
+    V const q_u = v * b_u + b_p * inv_rho - rate.u * x.u + rate.rho * x.p * inv_rho2;
+    V const q_p = K * b_u + v * b_p - rate_K * x.u - rate.u * x.p;
+    // already there, by the shortened lengths
+    V const c_x = 0.5 * c * (x.K / K - x.rho * inv_rho);
+    V const s_p = 2.0 * (v + c) * (x.u + c_x) * (x.p + Z * x.u), s_m = 2.0 * (v - c) * (x.u - c_x) * (x.p - Z * x.u);
+    V const s_0 = 2.0 * v * x.u * (x.rho - x.p * inv_c2);
+    V const have_p = 0.5 * (s_p + s_m), have_u = 0.5 * (s_p - s_m) / Z, have_rho = s_0 + have_p * inv_c2;
+    V const k = dt * dt * (1.0 / 6.0);
+    return {k * (q_rho - have_rho), k * (q_u - have_u), k * (q_p - have_p)};
+  }
+
+  /// 0 on faces near a strong shock that hardly moves over the mesh (relative to the sound speed), 1 elsewhere.
+  template <Lane V>
+  G27_INLINE static V slow_shock(Stencil<V> const& s, V c) noexcept {
+    V const one(1.0), zero(0.0);
+    auto const jump = [&](Cell<V> const& l, Cell<V> const& r) G27_INLINE_LAMBDA {
+      return abs(r.p - l.p) > parabolic::shock_pressure * min(l.K, r.K) && r.u < l.u &&
+             abs(r.rho * (r.u - s.w) - l.rho * (l.u - s.w)) <= parabolic::shock_slowness * c * abs(r.rho - l.rho);
+    };
+    V const low = min(min(s.z.p, s.a.p), min(s.b.p, s.y.p)), high = max(max(s.z.p, s.a.p), max(s.b.p, s.y.p));
+    V const K_low = min(min(s.z.K, s.a.K), min(s.b.K, s.y.K));
+    if (!any(high - low > parabolic::shock_pressure * K_low)) return one;
+    return select(jump(s.z, s.a) || jump(s.a, s.b) || jump(s.b, s.y), zero, one);
   }
 };
 

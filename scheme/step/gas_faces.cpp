@@ -85,7 +85,6 @@ void GasLine::Impl::predict_row(FaceRun const& run, std::size_t count, Predictor
                                 FaceProblems& b) const noexcept {
   PredictArguments const g{.faces = count,
                            .stride = 1,
-                           .inc_stride = 1,
                            .own_increments = false,
                            .rho = row.rho,
                            .u = row.u,
@@ -99,6 +98,9 @@ void GasLine::Impl::predict_row(FaceRun const& run, std::size_t count, Predictor
                            .inc_rho = run.increments ? row.inc_rho : nullptr,
                            .inc_u = row.inc_u,
                            .inc_p = row.inc_p,
+                           .next_rho = row.inc_rho + 1,
+                           .next_u = row.inc_u + 1,
+                           .next_p = row.inc_p + 1,
                            .foot_shift = row.foot_shift,
                            .foot_factor = row.foot_factor,
                            .dt = run.dt,

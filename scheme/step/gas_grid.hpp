@@ -40,8 +40,8 @@ class GasGrid {
   GasGrid(GasGrid&&) noexcept;
   GasGrid& operator=(GasGrid&&) noexcept;
 
-  /// Cell averages by Gauss quadrature (`points` a direction) of the state at (x, t = 0). Called from the threads of the
-  /// grid at once.
+  /// Cell averages by Gauss quadrature (`points` a direction) of the state at (x, t = 0). Called from the threads of
+  /// the grid at once.
   void set_state(std::function<GasPoint(Vec3 const& x)> const& state, int points = 3);
   /// Cell averages given by the centre and the widths of the cell, at time `time`.
   void set_averages(std::function<GasDensities(Vec3 const& centre, Vec3 const& widths)> const& mean, double time = 0);

@@ -10,43 +10,10 @@
 
 namespace g27 {
 
-namespace {
-
-PredictorKernel kernel_of(GasSchemeOptions const& o) {
-  bool const per_cell = o.feet != FootPoints::conservative;
-  if (per_cell && (o.predictor != Predictor::linear || o.monotonicity != Switch::off)) {
-    throw std::invalid_argument("the points of (3.10) go with the linear predictor and the switch off");
-  }
-  switch (o.predictor) {
-    case Predictor::godunov:
-      return PredictorKernel::godunov;
-    case Predictor::muscl:
-      return PredictorKernel::muscl;
-    case Predictor::parabolic:
-      return o.monotonicity == Switch::off ? PredictorKernel::parabolic_off : PredictorKernel::parabolic_on;
-    case Predictor::linear:
-      break;
-  }
-  if (per_cell) return PredictorKernel::linear_cell_feet;
-  if (o.single_foot) return PredictorKernel::linear_single_foot;
-  switch (o.monotonicity) {
-    case Switch::off:
-      return PredictorKernel::linear_off;
-    case Switch::literal:
-      return PredictorKernel::linear_literal;
-    case Switch::binary:
-      return PredictorKernel::linear_binary;
-    case Switch::graded:
-      return PredictorKernel::linear_graded;
-  }
-  return PredictorKernel::linear_graded;
-}
-
-}  // namespace
-
 GasLine::Impl::Impl(GasLineSetup s)
     : setup(std::move(s)),
-      predictor(kernel_of(setup.options)),
+      predictor(predictor_kernel(setup.options.predictor, setup.options.monotonicity, setup.options.feet,
+                                 setup.options.single_foot)),
       law(*kernels.eos[setup.eos.index()]),
       n(checked_cells(setup)),
       eos(std::visit([](auto const& e) -> void const* { return &e; }, setup.eos)),

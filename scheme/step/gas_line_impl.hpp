@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scheme/kernel/gas_kernels.hpp"
+#include "scheme/step/accumulator.hpp"
 #include "scheme/step/gas_boundary.hpp"
 #include "scheme/step/gas_fields.hpp"
 #include "scheme/step/gas_line.hpp"
@@ -16,26 +17,6 @@ namespace g27 {
 inline constexpr std::size_t face_chunk = 256;  ///< faces handled at a time: their arrays stay in the first cache
 inline constexpr std::size_t parallel_threshold = 8192;  ///< cells below which threads cost more than they bring
 inline constexpr double repair_share = 1e-3;             ///< least rho and margin a step may leave, over the old ones
-
-/// Predictors that need the averages of the primitives and fluxes averaged over the step.
-inline bool is_third_order(PredictorKernel p) noexcept {
-  return p == PredictorKernel::parabolic_on || p == PredictorKernel::parabolic_off;
-}
-
-/// Sum that loses nothing to round-off over millions of steps (Neumaier).
-struct Accumulator {
-  double sum = 0, lost = 0;
-  void add(double v) noexcept {
-    double const t = sum + v;
-    lost += std::fabs(sum) >= std::fabs(v) ? (sum - t) + v : (v - t) + sum;
-    sum = t;
-  }
-  [[nodiscard]] double value() const noexcept { return sum + lost; }
-};
-struct Accumulators {
-  Accumulator mass, momentum, energy;
-  void add(double m, double q, double e) noexcept { mass.add(m), momentum.add(q), energy.add(e); }
-};
 
 struct GasLine::Impl {
   GasLineSetup setup;

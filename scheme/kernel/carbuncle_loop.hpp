@@ -1,0 +1,108 @@
+#pragma once
+/// The cure of the carbuncle: cells in a strong shock that runs along a grid line take HLLE's flux between cell
+/// averages on all their faces. The exact solver resolves the contacts that waves along such a shock make, and lets
+/// them grow (Quirk, Int. J. Numer. Meth. Fluids 18 (1994) 555); HLLE (Einfeldt, SIAM J. Numer. Anal. 25 (1988) 294)
+/// does not.
+#include "riemann/base/lane.hpp"
+#include "riemann/eos/concept.hpp"
+#include "scheme/kernel/grid_kernels.hpp"
+#include "scheme/predictor/parabolic.hpp"
+
+namespace g27 {
+
+inline constexpr double cure_alignment = 0.2;  ///< transverse over normal pressure difference up to which it acts
+
+/// A cell is in such a shock where over the three cells along an axis pressure changes by more than shock_pressure K
+/// (for an ideal gas: more than the least pressure), the velocity along it decreases, and the pressure differences
+/// along the other axes are small beside it, but not zero: a flow of one dimension has nothing to cure.
+template <int dims, Lane V>
+void shock_flags(ShockFlagArguments& g) noexcept {
+  std::ptrdiff_t const n = static_cast<std::ptrdiff_t>(g.cells);
+  g.any = false;
+  for (std::ptrdiff_t i = 0; i < n; i += static_cast<std::ptrdiff_t>(width<V>)) {
+    V const p = load<V>(g.primitive.last + i), rho = load<V>(g.primitive.first + i);
+    V below[dims], above[dims];
+    Mask<V> strong(false);
+    for (int a = 0; a < dims; ++a) {
+      std::ptrdiff_t const s = g.stride[static_cast<std::size_t>(a)];
+      below[a] = load<V>(g.primitive.last + i - s), above[a] = load<V>(g.primitive.last + i + s);
+      V const K_least = min(load<V>(g.K + i), min(load<V>(g.K + i - s), load<V>(g.K + i + s)));
+      V const change = max(p, max(below[a], above[a])) - min(p, min(below[a], above[a]));
+      strong = strong || change > parabolic::shock_pressure * K_least;
+    }
+    V flag(0.0);
+    if (any(strong)) {
+      V most[dims], waves[dims];
+      for (int a = 0; a < dims; ++a) {
+        std::ptrdiff_t const s = g.stride[static_cast<std::size_t>(a)];
+        most[a] = abs(above[a] - below[a]);
+        waves[a] = abs(above[a] - p) + abs(p - below[a]) + abs(load<V>(g.primitive.first + i + s) - rho) +
+                   abs(rho - load<V>(g.primitive.first + i - s));
+        for (int c = 0; c < dims; ++c) {
+          V const u = load<V>(g.primitive.vector[c] + i);
+          waves[a] += abs(load<V>(g.primitive.vector[c] + i + s) - u) + abs(u - load<V>(g.primitive.vector[c] + i - s));
+        }
+      }
+      for (int a = 0; a < dims; ++a) {
+        std::ptrdiff_t const s = g.stride[static_cast<std::size_t>(a)];
+        V const K_least = min(load<V>(g.K + i), min(load<V>(g.K + i - s), load<V>(g.K + i + s)));
+        V const change = max(p, max(below[a], above[a])) - min(p, min(below[a], above[a]));
+        Mask<V> in_shock = change > parabolic::shock_pressure * K_least &&
+                           load<V>(g.primitive.vector[a] + i + s) < load<V>(g.primitive.vector[a] + i - s);
+        Mask<V> disturbed(false);
+        for (int b = 0; b < dims; ++b) {
+          if (b == a) continue;
+          in_shock = in_shock && most[b] <= cure_alignment * most[a];
+          disturbed = disturbed || waves[b] > 0.0;
+        }
+        flag = select(in_shock && disturbed, V(1.0), flag);
+      }
+      if (any(flag > 0.0)) g.any = true;
+    }
+    store(g.flag + i, flag);
+  }
+}
+
+/// Flux of HLLE, wave speeds from Roe's averages bounded by each side's own (Einfeldt 1988; Toro, 3rd ed., 10.5.1).
+template <int dims, class E, Lane V>
+void hlle(HlleArguments const& g) noexcept {
+  E const& eos = *static_cast<E const*>(g.eos);
+  std::ptrdiff_t const n = static_cast<std::ptrdiff_t>(g.faces), s = g.stride;
+  int const axis = g.axis;
+  for (std::ptrdiff_t f = 0; f < n; f += static_cast<std::ptrdiff_t>(width<V>)) {
+    Mask<V> const wanted = load<V>(g.mark + f) > 0.0;
+    if (!any(wanted)) continue;
+    auto const side = [&](std::ptrdiff_t i, V& rho, V* u, V& p, V& c2, V& energy) G27_INLINE_LAMBDA {
+      rho = load<V>(g.primitive.first + i), p = load<V>(g.primitive.last + i);
+      V kinetic(0.0);
+      for (int c = 0; c < dims; ++c) u[c] = load<V>(g.primitive.vector[c] + i), kinetic += u[c] * u[c];
+      c2 = eos.bulk_modulus(rho, p) / rho;
+      energy = rho * (eos.energy(rho, p) + 0.5 * kinetic);
+    };
+    V rho_l, u_l[3], p_l, c2_l, e_l, rho_r, u_r[3], p_r, c2_r, e_r;
+    side(f, rho_l, u_l, p_l, c2_l, e_l), side(f + s, rho_r, u_r, p_r, c2_r, e_r);
+    V const n_l = axis == 0 ? u_l[0] : axis == 1 ? u_l[1] : u_l[dims - 1];
+    V const n_r = axis == 0 ? u_r[0] : axis == 1 ? u_r[1] : u_r[dims - 1];
+    V const w_l = sqrt(rho_l), w_r = sqrt(rho_r), w = 1.0 / (w_l + w_r), du = n_r - n_l;
+    V const u_m = (w_l * n_l + w_r * n_r) * w;
+    V const c_m = sqrt(V((w_l * c2_l + w_r * c2_r) * w + 0.5 * w_l * w_r * w * w * du * du));
+    V const zero(0.0);
+    V const s_l = min(zero, min(V(n_l - sqrt(c2_l)), V(u_m - c_m)));
+    V const s_r = max(zero, max(V(n_r + sqrt(c2_r)), V(u_m + c_m)));
+    V const inv = 1.0 / (s_r - s_l), both = s_l * s_r;
+    auto const flux = [&](V f_l, V f_r, V q_l, V q_r)
+                          G27_INLINE_LAMBDA { return V((s_r * f_l - s_l * f_r + both * (q_r - q_l)) * inv); };
+    auto const put = [&](double* to, V value)
+                         G27_INLINE_LAMBDA { store(to + f, select(wanted, value, load<V>(to + f))); };
+    V const m_l = rho_l * n_l, m_r = rho_r * n_r;
+    put(g.flux.first, flux(m_l, m_r, rho_l, rho_r));
+    put(g.flux.last, flux(V((e_l + p_l) * n_l), V((e_r + p_r) * n_r), e_l, e_r));
+    for (int c = 0; c < dims; ++c) {
+      V const push_l = c == axis ? V(m_l * u_l[c] + p_l) : V(m_l * u_l[c]);
+      V const push_r = c == axis ? V(m_r * u_r[c] + p_r) : V(m_r * u_r[c]);
+      put(g.flux.vector[c], flux(push_l, push_r, V(rho_l * u_l[c]), V(rho_r * u_r[c])));
+    }
+  }
+}
+
+}  // namespace g27

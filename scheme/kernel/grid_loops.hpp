@@ -1,0 +1,123 @@
+#pragma once
+/// Rows of cells in two and three dimensions: primitives, averages of the primitives, corrector, what a new state is
+/// worth.
+#include "riemann/eos/concept.hpp"
+#include "scheme/kernel/average_loop.hpp"
+#include "scheme/kernel/grid_kernels.hpp"
+#include "scheme/kernel/update_loop.hpp"
+
+namespace g27 {
+
+template <int dims, class E, Lane V>
+void grid_primitive(GridPrimitiveArguments const& g) noexcept {
+  E const& eos = *static_cast<E const*>(g.eos);
+  for (std::size_t i = 0; i < g.cells; i += width<V>) {
+    V const rho = load<V>(g.conserved.first + i);
+    V u[dims];
+    for (int a = 0; a < dims; ++a) u[a] = load<V>(g.conserved.vector[a] + i) / rho;
+    V e = load<V>(g.conserved.last + i) / rho - 0.5 * u[0] * u[0];
+    for (int a = 1; a < dims; ++a) e -= 0.5 * u[a] * u[a];
+    V const p = eos.pressure(rho, e);
+    store(g.primitive.first + i, rho), store(g.primitive.last + i, p);
+    for (int a = 0; a < dims; ++a) store(g.primitive.vector[a] + i, u[a]);
+    store(g.K + i, eos.bulk_modulus(rho, p)), store(g.margin + i, eos.pressure_margin(rho, p));
+  }
+}
+
+/// The profile is linear along every axis: the second-order terms of average_loop.hpp add up.
+template <int dims, class E, Lane V>
+void grid_average(GridAverageArguments const& g) noexcept {
+  E const& eos = *static_cast<E const*>(g.eos);
+  std::ptrdiff_t const n = static_cast<std::ptrdiff_t>(g.cells);
+  for (std::ptrdiff_t i = 0; i < n; i += static_cast<std::ptrdiff_t>(width<V>)) {
+    V const rho = load<V>(g.primitive.first + i), p = load<V>(g.primitive.last + i), K = load<V>(g.K + i);
+    V u[dims], moved[dims];
+    for (int a = 0; a < dims; ++a) u[a] = load<V>(g.primitive.vector[a] + i), moved[a] = V(0.0);
+    Mask<V> smooth(true);
+    V bend(0.0);
+    for (int a = 0; a < dims; ++a) {
+      std::ptrdiff_t const s = g.stride[static_cast<std::size_t>(a)];
+      auto const sides = [&](double const* q, V centre, V& left, V& right) G27_INLINE_LAMBDA {
+        left = centre - load<V>(q + i - s), right = load<V>(q + i + s) - centre;
+      };
+      V r_l, r_r, p_l, p_r, u_l, u_r;
+      sides(g.primitive.first, rho, r_l, r_r), sides(g.primitive.last, p, p_l, p_r);
+      smooth = smooth && max(abs(r_l), abs(r_r)) <= smooth_share * rho && max(abs(p_l), abs(p_r)) <= smooth_share * K;
+      V const d_rho = 0.5 * (r_l + r_r), d_p = 0.5 * (p_l + p_r);
+      V along(0.0), across(0.0);
+      for (int c = 0; c < dims; ++c) {
+        sides(g.primitive.vector[c], u[c], u_l, u_r);
+        V const most = max(abs(u_l), abs(u_r));
+        smooth = smooth && most * most * rho <= (smooth_share * smooth_share) * K;
+        V const d_u = 0.5 * (u_l + u_r);
+        moved[c] += d_rho * d_u;
+        if (c == a) {
+          along = d_u;
+        } else {
+          across += d_u * d_u;
+        }
+      }
+      V one = rho * along * along + eos.energy_bend(rho, d_rho, d_p);
+      one += rho * across;
+      bend += one;
+    }
+    store(g.dK_dp + i, V(2.0 * eos.fundamental_derivative(rho, p) - 1.0));
+    store(g.p + i, select(smooth, V(p - eos.gruneisen(rho) * bend * (1.0 / 24.0)), p));
+    for (int a = 0; a < dims; ++a) store(g.velocity[a] + i, select(smooth, V(u[a] - moved[a] / (12.0 * rho)), u[a]));
+  }
+}
+
+template <int dims, Lane V>
+void grid_update(GridUpdateArguments const& g) noexcept {
+  V const lambda(g.lambda);
+  for (std::size_t i = 0; i < g.cells; i += width<V>) {
+    auto const one = [&](double const* from, double const* lower, double const* upper, double* to) G27_INLINE_LAMBDA {
+      V q = load<V>(from + i);
+      q -= lambda * V(load<V>(upper + i) - load<V>(lower + i));
+      store(to + i, q);
+    };
+    one(g.from.first, g.lower.first, g.upper.first, g.to.first);
+    for (int a = 0; a < dims; ++a) one(g.from.vector[a], g.lower.vector[a], g.upper.vector[a], g.to.vector[a]);
+    one(g.from.last, g.lower.last, g.upper.last, g.to.last);
+  }
+}
+
+template <int dims, class E, Lane V>
+void grid_finish(GridFinishArguments& g) noexcept {
+  E const& eos = *static_cast<E const*>(g.eos);
+  V worst(g.worst), rate(g.rate);
+  bool differs = g.differs;
+  for (std::size_t i = 0; i < g.cells; i += width<V>) {
+    V const mass = load<V>(g.conserved.first + i), energy = load<V>(g.conserved.last + i);
+    V u[dims];
+    for (int a = 0; a < dims; ++a) u[a] = load<V>(g.conserved.vector[a] + i) / mass;
+    V e = energy / mass - 0.5 * u[0] * u[0];
+    for (int a = 1; a < dims; ++a) e -= 0.5 * u[a] * u[a];
+    V const p = eos.pressure(mass, e), K = eos.bulk_modulus(mass, p), margin = eos.pressure_margin(mass, p);
+    V const share = min(mass / load<V>(g.rho_old + i), margin / load<V>(g.margin_old + i));
+    V const safe = select(share > 0.0 && share < 1e300, share, V(-1.0));
+    V const c = sqrt(V(K / mass));
+    V speed(0.0);
+    for (int a = 0; a < dims; ++a) {
+      V const one = (abs(u[a]) + c) * g.inv_h[static_cast<std::size_t>(a)];
+      speed = g.max_rule ? max(speed, one) : V(speed + one);
+    }
+    if (i + width<V> <= g.cells) {
+      worst = min(worst, safe), rate = max(rate, speed);
+      if (!differs) {
+        Mask<V> same = mass == g.like[0] && energy == g.like[4];
+        for (int a = 0; a < dims; ++a) same = same && load<V>(g.conserved.vector[a] + i) == g.like[1 + a];
+        differs = !all(same);
+      }
+    } else {
+      for (std::size_t k = 0; i + k < g.cells; ++k) {
+        worst = min(worst, V(lane(safe, k))), rate = max(rate, V(lane(speed, k)));
+        differs = differs || g.conserved.first[i + k] != g.like[0] || g.conserved.last[i + k] != g.like[4];
+        for (int a = 0; a < dims; ++a) differs = differs || g.conserved.vector[a][i + k] != g.like[1 + a];
+      }
+    }
+  }
+  g.worst = lane_min(worst), g.rate = lane_max(rate), g.differs = differs;
+}
+
+}  // namespace g27

@@ -1,0 +1,193 @@
+#pragma once
+/// A tile of a gas grid: what it stores between steps, and the work of one step on it. gas_tile_fill.cpp gathers the
+/// tile and its surroundings, gas_tile.cpp sweeps the faces, gas_tile_faces.cpp solves a row of them.
+#include <array>
+#include <span>
+#include <vector>
+
+#include "scheme/grid/tiling.hpp"
+#include "scheme/kernel/gas_kernels.hpp"
+#include "scheme/step/gas_fields.hpp"
+#include "scheme/step/gas_grid.hpp"
+
+namespace g27 {
+
+/// Five conserved densities: mass, momentum along x, y, z, energy.
+using FiveDensities = std::array<double, 5>;
+
+using CacheLineVector = std::vector<double, CacheLineAllocator<double>>;
+
+/// Conserved averages of a tile now and after the step; nothing is stored while the tile is one uniform state.
+struct GasTile {
+  TileBox box;
+  std::ptrdiff_t row = 0;    ///< doubles from one row to the next: the cells of a row, rounded up to a vector
+  std::ptrdiff_t field = 0;  ///< doubles from one density to the next
+  bool uniform = false;      ///< all cells hold `state`
+  FiveDensities state{};
+  CacheLineVector now, next;        ///< empty: not stored
+  std::vector<float> maps;          ///< steps in which switch, cure and repair acted, [3][cells]; empty: not wanted
+  std::vector<unsigned char> redo;  ///< cells whose faces are redone at first order in this step; empty: none
+
+  /// Results of a step.
+  double worst = 1, rate = 0, seconds = 0;
+  bool differs = false;
+  std::size_t failures = 0;
+  double faces = 0, switched = 0, strong = 0, cured = 0, redone = 0;
+  FiveDensities through{}, from_source{};
+
+  [[nodiscard]] bool stored() const noexcept { return !now.empty(); }
+  [[nodiscard]] std::size_t cells() const noexcept {
+    return static_cast<std::size_t>(box.size[0]) * static_cast<std::size_t>(box.size[1]) *
+           static_cast<std::size_t>(box.size[2]);
+  }
+  [[nodiscard]] std::ptrdiff_t index(int i, int j, int k) const noexcept {
+    return i + row * (j + static_cast<std::ptrdiff_t>(box.size[1]) * k);
+  }
+  [[nodiscard]] double at(CacheLineVector const& q, std::size_t density, std::ptrdiff_t i) const noexcept {
+    return stored() ? q[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(density) * field + i)] : state[density];
+  }
+  void store_state(int dims);
+};
+
+/// What all tiles of a grid share during a step.
+struct GridContext {
+  GasGridSetup const& setup;
+  Tiling const& tiling;
+  std::vector<GasTile>& tiles;
+  GasKernels const& kernels;
+  EosKernels const& law;
+  PredictorKernel predictor;
+  void const* eos;
+  double exponent;
+  int dims;
+  std::array<bool, 3> swept;  ///< axes with more than one cell
+  Vec3 lower, h;              ///< corner of the box; widths, 1 along axes that are not there
+  int halo;                   ///< cells around a tile that its step reads
+  double time = 0, dt = 0;
+
+  [[nodiscard]] GridBoundary const& condition(Side side, Vec3 const& x) const noexcept;
+};
+
+/// Arrays for the work on one tile at a time: one a thread.
+class TileWork {
+ public:
+  /// `largest`: cells of the largest tile along each axis.
+  TileWork(GridContext const& context, Int3 const& largest);
+
+  /// The new state of the tile into `next`, its results beside it.
+  void step(TileId id);
+
+  [[nodiscard]] std::size_t bytes() const noexcept;
+
+ private:
+  struct Fields {
+    RowOut q;  ///< at cell (0, 0, 0) of the tile
+    double *K = nullptr, *margin = nullptr;
+  };
+  struct FluxRow {
+    Padded mass, momentum[3], energy, p, u;
+    FluxRow() = default;
+    explicit FluxRow(std::size_t n) : mass(n), momentum{Padded(n), Padded(n), Padded(n)}, energy(n), p(n), u(n) {}
+    [[nodiscard]] RowOut out() noexcept {
+      return {mass.data(), {momentum[0].data(), momentum[1].data(), momentum[2].data()}, energy.data()};
+    }
+  };
+  struct TermRow {
+    Padded rho, u[3], p;
+    TermRow() = default;
+    explicit TermRow(std::size_t n) : rho(n), u{Padded(n), Padded(n), Padded(n)}, p(n) {}
+    [[nodiscard]] RowOut out() noexcept { return {rho.data(), {u[0].data(), u[1].data(), u[2].data()}, p.data()}; }
+  };
+  /// A row of faces: left cells start at `cell`, n faces across `axis`; terms of the left and the right cells, by the
+  /// cell's place in its row.
+  struct FaceRow {
+    int axis;
+    std::ptrdiff_t cell;
+    std::size_t n;
+    TermRow *left, *right;
+    bool wall_low, wall_high;  ///< the row lies on that side of the tile, and gas ends there
+    int j, k;                  ///< of the row, in the tile
+  };
+
+  // gas_tile_fill.cpp
+  void gather();
+  void gather_row(int j, int k);
+  /// Ghosts beyond the box and in solid blocks, from the cells beside them, `depth` deep; means of the primitives when
+  /// `means`, else the primitives themselves.
+  void fill_outside(int depth, bool means);
+  void fill_region(Int3 const& region, int axis, int depth, bool means);
+  void set_inflow(GridBoundary const& condition, std::ptrdiff_t i, Int3 const& cell);
+  void average_primitives();
+  [[nodiscard]] TileId beside(Int3 const& direction) const noexcept { return g_.tiling.beside(id_, direction); }
+  [[nodiscard]] bool gas_ends(int axis, int direction) const noexcept;
+  [[nodiscard]] Vec3 centre(Int3 const& cell) const noexcept;
+  [[nodiscard]] std::ptrdiff_t index(int i, int j, int k) const noexcept { return i + sj_ * j + sk_ * k; }
+
+  // gas_tile.cpp
+  void sweep();
+  void set_terms(int j, int k);
+  void add_sources(TermRow& term, int j, int k) const;
+  void x_faces(int j, int k);
+  void y_faces(int j, int k);
+  void z_faces(int j, int k);
+  void update(int axis, int j, int k, bool first, FluxRow& lower, FluxRow& upper);
+  void finish(int j, int k);
+  void account(int axis, bool low, FluxRow& flux, std::ptrdiff_t first, std::size_t n) noexcept;
+  void find_redo();
+  [[nodiscard]] RowOut tile_row(CacheLineVector& q, int j, int k) const noexcept;
+
+  // gas_tile_faces.cpp
+  /// Half-step terms of a row of faces, by the face.
+  struct Increments {
+    bool there = false;
+    RowIn left, right;
+  };
+  void solve_row(FaceRow const& row, FluxRow& out);
+  Increments increments(FaceRow const& row, PredictorKernel kernel);
+  [[nodiscard]] PredictArguments arguments(PredictorKernel kernel, int axis, FaceProblems& b) const noexcept;
+  void predict(FaceRow const& row, PredictorKernel kernel, Increments const& inc, FaceProblems& b);
+  void image_in_wall(FaceRow const& row, PredictorKernel kernel, Increments const& inc, bool low, FaceProblems& b);
+  void fluxes(FaceRow const& row, PredictorKernel kernel, FaceProblems& b, FluxRow& out);
+  void muscl_row(FaceRow const& row, FluxRow& out);
+  void solve_problems(FaceRow const& row, FaceProblems& b, bool averaged, FluxRow& out);
+  void seal(FaceRow const& row, FluxRow& out) noexcept;
+  void seal_cured(FaceRow const& row, FluxRow& out) noexcept;
+  /// Faces with a flagged cell on either side into mark_; how many.
+  void mark(std::vector<double> const& flags, FaceRow const& row, std::size_t& count);
+  void count_in_map(std::size_t map, FaceRow const& row, Padded const& acted) noexcept;
+  [[nodiscard]] bool is_wall(FaceRow const& row, bool low, std::ptrdiff_t lane) const noexcept;
+  /// The k-th of the other axes.
+  [[nodiscard]] std::size_t other_axis(std::size_t axis, std::size_t k) const noexcept;
+  /// Lanes of a row that lie on the low or the high side of the tile: first and number.
+  static std::pair<std::ptrdiff_t, std::size_t> lanes_on_side(FaceRow const& row, bool low) noexcept;
+  [[nodiscard]] RowIn cells_at(std::ptrdiff_t i) const noexcept;
+  [[nodiscard]] std::ptrdiff_t stride(int axis) const noexcept { return axis == 0 ? 1 : axis == 1 ? sj_ : sk_; }
+
+  GridContext const& g_;
+  bool third_order_;
+  TileId id_ = -1;
+  GasTile* tile_ = nullptr;
+  int nx_ = 0, ny_ = 0, nz_ = 0;
+  std::array<int, 3> halo_{};
+  std::ptrdiff_t sj_ = 0, sk_ = 0, origin_ = 0;
+  std::size_t volume_ = 0, mirror_line_ = 0;
+
+  Padded rho_, u_[3], p_, K_, margin_, mean_u_[3], mean_p_, dK_dp_;
+  TermRow gathered_;
+  std::vector<double> cure_, redo_;  ///< flags of cells, as the primitives
+  bool any_cure_ = false, any_redo_ = false;
+  TermRow x_terms_, averaged_;
+  std::array<TermRow, 2> y_terms_;
+  std::vector<TermRow> z_terms_;  ///< of two planes
+  FluxRow x_flux_, other_flux_;
+  std::array<FluxRow, 2> y_flux_;
+  std::vector<FluxRow> z_flux_;  ///< of two planes
+  FaceProblems problems_, other_problems_, wall_problems_;
+  Padded mark_, map_, mirror_[8];
+  Padded width_[3], pair_[3], triple_[3], still_;
+  std::array<TermRow, 2> x_edges_;                 ///< MUSCL: lower and upper edges
+  std::array<std::array<TermRow, 2>, 2> y_edges_;  ///< [row][lower, upper]
+  std::vector<std::array<TermRow, 2>> z_edges_;    ///< of two planes
+};
+
+}  // namespace g27

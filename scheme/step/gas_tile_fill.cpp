@@ -1,0 +1,240 @@
+/// Gathers a tile and the cells around it: conserved averages of the neighbours to primitives, then what lies beyond
+/// the box or in solid blocks.
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "scheme/step/gas_tile.hpp"
+#include "scheme/step/gauss.hpp"
+
+namespace g27 {
+
+namespace {
+
+/// Where a row or a column of cells lies: before the tile, in it or behind it.
+int region_of(int i, int n) noexcept { return i < 0 ? -1 : i >= n ? 1 : 0; }
+/// Index of that cell in the tile of its region.
+int local(int i, int n, int other_n) noexcept { return i < 0 ? other_n + i : i >= n ? i - n : i; }
+
+}  // namespace
+
+void GasTile::store_state(int dims) {
+  if (stored()) return;
+  std::size_t const size = static_cast<std::size_t>(field) * 5;
+  now.resize(size + 16), next.resize(size + 16);
+  for (std::size_t d = 0; d < 5; ++d) {
+    if (dims == 2 && d == 3) continue;
+    std::fill_n(now.begin() + static_cast<std::ptrdiff_t>(d) * field, field, state[d]);
+  }
+}
+
+GridBoundary const& GridContext::condition(Side side, Vec3 const& x) const noexcept {
+  std::size_t const axis = static_cast<std::size_t>(side) / 2;
+  for (BoundaryPatch const& patch : setup.patches) {
+    if (patch.side != side) continue;
+    bool inside = true;
+    for (std::size_t a = 0; a < 3; ++a)
+      inside = inside && (a == axis || (x[a] >= patch.lower[a] && x[a] < patch.upper[a]));
+    if (inside) return patch.condition;
+  }
+  return setup.sides[static_cast<std::size_t>(side)];
+}
+
+Vec3 TileWork::centre(Int3 const& cell) const noexcept {
+  Vec3 x{};
+  for (std::size_t a = 0; a < 3; ++a) {
+    x[a] = g_.lower[a] + (static_cast<double>(tile_->box.first[a] + cell[a]) + 0.5) * g_.h[a];
+  }
+  return x;
+}
+
+bool TileWork::gas_ends(int axis, int direction) const noexcept {
+  if (!g_.swept[static_cast<std::size_t>(axis)]) return false;
+  Int3 d{0, 0, 0};
+  d[static_cast<std::size_t>(axis)] = direction;
+  return beside(d) < 0;
+}
+
+void TileWork::gather_row(int j, int k) {
+  int const dy = region_of(j, ny_), dz = region_of(k, nz_), H = halo_[0];
+  RowOut const to = gathered_.out();
+  std::array<double*, 5> const row{to.first, to.vector[0], to.vector[1], to.vector[2], to.last};
+  bool found = false;
+  for (int dx = -1; dx <= 1; ++dx) {
+    int const begin = dx < 0 ? -H : dx == 0 ? 0 : nx_, end = dx < 0 ? 0 : dx == 0 ? nx_ : nx_ + H;
+    if (begin == end) continue;
+    TileId const other = beside({dx, dy, dz});
+    // a placeholder where no gas is: those cells are filled later
+    GasTile const& t = g_.tiles[static_cast<std::size_t>(other >= 0 ? other : id_)];
+    found = found || other >= 0;
+    std::size_t const n = static_cast<std::size_t>(end - begin);
+    for (std::size_t d = 0; d < 5; ++d) {
+      if (g_.dims == 2 && d == 3) continue;
+      if (other < 0 || t.uniform) {
+        double const value = other < 0 ? t.at(t.now, d, 0) : t.state[d];
+        std::fill_n(row[d] + begin, n, value);
+      } else {
+        std::ptrdiff_t const at =
+            t.index(local(begin, nx_, t.box.size[0]), local(j, ny_, t.box.size[1]), local(k, nz_, t.box.size[2]));
+        std::memcpy(row[d] + begin, t.now.data() + static_cast<std::ptrdiff_t>(d) * t.field + at, n * sizeof(double));
+      }
+    }
+  }
+  // lanes beyond the row repeat its last cell, so that they cost nothing special
+  for (std::size_t d = 0; d < 5; ++d) std::fill_n(row[d] + nx_ + H, 8, row[d][nx_ + H - 1]);
+  std::ptrdiff_t const i = index(-H, j, k);
+  RowIn from(to);
+  from.first -= H, from.last -= H;
+  for (auto& v : from.vector) v -= H;
+  auto const cell = [&](Padded& q) { return q.data() + origin_ + i; };
+  g_.law.grid.primitive[static_cast<std::size_t>(g_.dims - 2)](
+      {.cells = static_cast<std::size_t>(nx_ + 2 * H),
+       .eos = g_.eos,
+       .conserved = from,
+       .primitive = {cell(rho_), {cell(u_[0]), cell(u_[1]), cell(u_[2])}, cell(p_)},
+       .K = cell(K_),
+       .margin = cell(margin_)});
+}
+
+void TileWork::gather() {
+  for (int k = -halo_[2]; k < nz_ + halo_[2]; ++k) {
+    for (int j = -halo_[1]; j < ny_ + halo_[1]; ++j) gather_row(j, k);
+  }
+  fill_outside(g_.halo, false);
+}
+
+void TileWork::fill_outside(int depth, bool means) {
+  // faces of the tile first, then its edges and corners, each from a region that is filled already
+  for (int order = 1; order <= 3; ++order) {
+    for (int dz = -1; dz <= 1; ++dz) {
+      for (int dy = -1; dy <= 1; ++dy) {
+        for (int dx = -1; dx <= 1; ++dx) {
+          Int3 const d{dx, dy, dz};
+          if (std::abs(dx) + std::abs(dy) + std::abs(dz) != order || beside(d) >= 0) continue;
+          int axis = -1;
+          bool exists = true;
+          for (int a = 0; a < 3; ++a) {
+            std::size_t const s = static_cast<std::size_t>(a);
+            if (d[s] == 0) continue;
+            exists = exists && halo_[s] > 0;
+            Int3 from = d;
+            from[s] = 0;
+            if (axis < 0 || (beside(from) >= 0 && [&] {
+                  Int3 chosen = d;
+                  chosen[static_cast<std::size_t>(axis)] = 0;
+                  return beside(chosen) < 0;
+                }())) {
+              axis = a;
+            }
+          }
+          if (exists) fill_region(d, axis, depth, means);
+        }
+      }
+    }
+  }
+}
+
+void TileWork::fill_region(Int3 const& region, int axis, int depth, bool means) {
+  using Kind = GridBoundary::Kind;
+  Int3 const size{nx_, ny_, nz_};
+  Int3 begin{}, end{};
+  for (std::size_t a = 0; a < 3; ++a) {
+    int const H = std::min(depth, halo_[a]);
+    begin[a] = region[a] < 0 ? -H : region[a] == 0 ? 0 : size[a];
+    end[a] = region[a] < 0 ? 0 : region[a] == 0 ? size[a] : size[a] + H;
+  }
+  std::size_t const s = static_cast<std::size_t>(axis);
+  bool const low = region[s] < 0;
+  Side const side = static_cast<Side>(2 * axis + (low ? 0 : 1));
+  bool const at_box =
+      g_.tiling.at_side(id_, axis, region[s]) && g_.setup.sides[static_cast<std::size_t>(side)].kind != Kind::periodic;
+  static GridBoundary const block{.kind = Kind::wall, .state = {}};
+  for (int k = begin[2]; k < end[2]; ++k) {
+    for (int j = begin[1]; j < end[1]; ++j) {
+      for (int i = begin[0]; i < end[0]; ++i) {
+        Int3 const cell{i, j, k};
+        GridBoundary const& c = at_box ? g_.condition(side, centre(cell)) : block;
+        std::ptrdiff_t const to = origin_ + index(i, j, k);
+        if (c.kind == Kind::inflow) {
+          if (!means) {
+            set_inflow(c, to, cell);
+          } else {
+            for (std::size_t a = 0; a < 3; ++a) mean_u_[a][to] = u_[a][to];
+            mean_p_[to] = p_[to],
+            dK_dp_[to] = dK_dp_[origin_ +
+                                index(std::clamp(i, 0, nx_ - 1), std::clamp(j, 0, ny_ - 1), std::clamp(k, 0, nz_ - 1))];
+          }
+          continue;
+        }
+        bool const wall = c.kind == Kind::wall;
+        Int3 inner = cell;
+        if (wall) {
+          inner[s] = low ? -1 - cell[s] : 2 * size[s] - 1 - cell[s];
+        } else {
+          inner[s] = low ? 0 : size[s] - 1;
+        }
+        std::ptrdiff_t const from = origin_ + index(inner[0], inner[1], inner[2]);
+        if (means) {
+          for (std::size_t a = 0; a < 3; ++a) mean_u_[a][to] = wall && a == s ? -mean_u_[a][from] : mean_u_[a][from];
+          mean_p_[to] = mean_p_[from], dK_dp_[to] = dK_dp_[from];
+        } else {
+          for (std::size_t a = 0; a < 3; ++a) u_[a][to] = wall && a == s ? -u_[a][from] : u_[a][from];
+          rho_[to] = rho_[from], p_[to] = p_[from], K_[to] = K_[from], margin_[to] = margin_[from];
+        }
+      }
+    }
+  }
+}
+
+void TileWork::set_inflow(GridBoundary const& condition, std::ptrdiff_t i, Int3 const& cell) {
+  // two Gauss points along every axis; pairs are averaged, so that equal states keep every bit
+  Vec3 const x = centre(cell);
+  auto const gauss = gauss_points(2);
+  std::array<GasPoint, 8> s{};
+  std::size_t count = 1;
+  for (int a = 0; a < g_.dims; ++a) count *= 2;
+  for (std::size_t m = 0; m < count; ++m) {
+    Vec3 at = x;
+    for (std::size_t a = 0; a < static_cast<std::size_t>(g_.dims); ++a) at[a] += 0.5 * g_.h[a] * gauss[(m >> a) & 1u].x;
+    s[m] = condition.state(at, g_.time);
+  }
+  for (; count > 1; count /= 2) {
+    for (std::size_t m = 0; m < count / 2; ++m) {
+      GasPoint const &a = s[2 * m], &b = s[2 * m + 1];
+      s[m] = {0.5 * a.rho + 0.5 * b.rho,
+              {0.5 * a.u[0] + 0.5 * b.u[0], 0.5 * a.u[1] + 0.5 * b.u[1], 0.5 * a.u[2] + 0.5 * b.u[2]},
+              0.5 * a.p + 0.5 * b.p};
+    }
+  }
+  GasPoint const& mean = s[0];
+  rho_[i] = mean.rho, p_[i] = mean.p;
+  for (std::size_t d = 0; d < 3; ++d) u_[d][i] = mean.u[d];
+  std::visit(
+      [&](auto const& eos) {
+        K_[i] = eos.bulk_modulus(mean.rho, mean.p);
+        margin_[i] = eos.pressure_margin(mean.rho, mean.p);
+      },
+      g_.setup.eos);
+}
+
+void TileWork::average_primitives() {
+  std::array<int, 3> H{};
+  for (std::size_t a = 0; a < 3; ++a) H[a] = halo_[a] > 0 ? halo_[a] - 1 : 0;
+  for (int k = -H[2]; k < nz_ + H[2]; ++k) {
+    for (int j = -H[1]; j < ny_ + H[1]; ++j) {
+      std::ptrdiff_t const i = origin_ + index(-H[0], j, k);
+      g_.law.grid.average[static_cast<std::size_t>(g_.dims - 2)](
+          {.cells = static_cast<std::size_t>(nx_ + 2 * H[0]),
+           .eos = g_.eos,
+           .primitive = cells_at(i),
+           .K = K_.data() + i,
+           .stride = {g_.swept[0] ? 1 : 0, g_.swept[1] ? sj_ : 0, g_.swept[2] ? sk_ : 0},
+           .velocity = {mean_u_[0].data() + i, mean_u_[1].data() + i, mean_u_[2].data() + i},
+           .p = mean_p_.data() + i,
+           .dK_dp = dK_dp_.data() + i});
+    }
+  }
+  fill_outside(g_.halo - 1, true);
+}
+
+}  // namespace g27
