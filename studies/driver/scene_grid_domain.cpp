@@ -8,7 +8,7 @@
 namespace g27 {
 namespace {
 
-constexpr long fewest_cells = 4, most_along = 8192;
+constexpr int fewest_cells = 4, most_along = 8192;
 constexpr double most_cells = 2e9;
 
 std::array<int, 3> read_counts(Section const& domain, std::vector<std::array<double, 2>> const& extent) {
@@ -18,22 +18,7 @@ std::array<int, 3> read_counts(Section const& domain, std::vector<std::array<dou
                        "give either cells = [100, 100, 100] or cell = \"1 mm\"");
   }
   if (domain.has("cells")) {
-    auto const* list = std::get_if<Node::Array>(&domain.need("cells", "[100, 100]").value);
-    if (list == nullptr || list->size() != extent.size()) {
-      throw domain.error("cells", list == nullptr ? "is not a list" : fmt::format("has {} entries", list->size()),
-                         fmt::format("give {} whole numbers, one an axis, or cell = \"1 mm\"", extent.size()));
-    }
-    for (std::size_t d = 0; d < extent.size(); ++d) {
-      auto const* count = std::get_if<long>(&(*list)[d].value);
-      if (count == nullptr || *count < fewest_cells || *count > most_along) {
-        throw domain.error("cells",
-                           count == nullptr ? fmt::format("entry {} is not a whole number", d)
-                                            : fmt::format("{} is out of range", *count),
-                           fmt::format("give whole numbers from {} to {}", fewest_cells, most_along));
-      }
-      out[d] = static_cast<int>(*count);
-    }
-    return out;
+    return domain.counts("cells", extent.size(), fewest_cells, most_along);
   }
   double const width = domain.positive("cell", dimension::length);
   for (std::size_t d = 0; d < extent.size(); ++d) {
@@ -101,9 +86,14 @@ std::vector<SolidBlock> read_blocks(Section const& root, GridBox const& box) {
         return static_cast<int>(std::lround(std::clamp((x - box.lower[d]) / h, 0.0, double(box.cells[d]))));
       };
       block.first[d] = face(extent[d][0]), block.last[d] = face(extent[d][1]);
-      if (block.first[d] >= block.last[d]) {
-        throw section.error("extent", fmt::format("holds no cell along {}", ray_names()[d]),
-                            fmt::format("make it a cell ({:.4g} m) or more, inside the domain", h));
+      int const inside = block.last[d] - block.first[d], below = block.first[d], above = box.cells[d] - block.last[d];
+      auto const tight = [](int cells) { return cells > 0 && cells < fewest_cells; };
+      if (inside < fewest_cells || tight(below) || tight(above)) {
+        throw section.error("extent",
+                            fmt::format("takes {} cells along {}, with {} before and {} after it", inside,
+                                        ray_names()[d], below, above),
+                            fmt::format("make it {0} cells ({1:.4g} m) or more, with none or {0} beside it",
+                                        fewest_cells, fewest_cells * h));
       }
     }
     out.push_back(block);

@@ -34,7 +34,7 @@ std::vector<Charge> read_charges(Section const& root, AnyEos const& eos, Symmetr
 
 /// [scheme]: one set of options a scheme asked for.
 std::vector<GasSchemeOptions> read_schemes(Section const& root, double cfl);
-std::vector<GridSchemeOptions> read_grid_schemes(Section const& root, double cfl);
+std::vector<GridSchemeOptions> read_grid_schemes(Section const& root, double cfl, int dimensions);
 
 /// Where probes may lie: the corners of the domain, in its first `dimensions` entries.
 struct Extent {

@@ -145,7 +145,7 @@ std::vector<SceneRun> read_grid_runs(Section const& root, SceneRun run) {
   }
 
   std::vector<SceneRun> runs;
-  for (GridSchemeOptions options : read_grid_schemes(root, cfl)) {
+  for (GridSchemeOptions options : read_grid_schemes(root, cfl, dimensions)) {
     options.maps = run.output.repairs;
     grid.setup.options = options;
     if (grid.line) {

@@ -75,20 +75,23 @@ std::vector<GasSchemeOptions> read_schemes(Section const& root, double cfl) {
   return one_each(section, options);
 }
 
-std::vector<GridSchemeOptions> read_grid_schemes(Section const& root, double cfl) {
+std::vector<GridSchemeOptions> read_grid_schemes(Section const& root, double cfl, int dimensions) {
   GridSchemeOptions options;
   options.cfl = cfl;
   if (!root.has("scheme")) {
     return {options};
   }
   Section const section = root.table("scheme", {"order", "name", "switch", "riemann", "linear_star", "transverse",
-                                                "cure", "repair", "skip", "max_rule"});
+                                                "cure", "repair", "skip", "max_rule", "tile"});
   read_common(section, options);
   options.transverse = static_cast<Transverse>(section.choice("transverse", transverse_names(), 0));
   options.cure = section.flag("cure", options.cure);
   options.repair = section.flag("repair", options.repair);
   options.skip = section.flag("skip", options.skip);
   options.max_rule = section.flag("max_rule", options.max_rule);
+  if (section.has("tile")) {
+    options.tile = section.counts("tile", static_cast<std::size_t>(dimensions), 4, 1024);
+  }
   return one_each(section, options);
 }
 

@@ -114,6 +114,26 @@ long Section::integer(std::string const& key, long least, long most) const {
   return *value;
 }
 
+std::array<int, 3> Section::counts(std::string const& key, std::size_t number, long least, long most) const {
+  auto const* list = std::get_if<Node::Array>(&need(key, "[100, 100]").value);
+  if (list == nullptr || list->size() != number) {
+    throw error(key, list == nullptr ? "is not a list" : fmt::format("has {} entries", list->size()),
+                fmt::format("give {} whole numbers, one an axis", number));
+  }
+  std::array<int, 3> out{1, 1, 1};
+  for (std::size_t d = 0; d < number; ++d) {
+    auto const* count = std::get_if<long>(&(*list)[d].value);
+    if (count == nullptr || *count < least || *count > most) {
+      throw error(key,
+                  count == nullptr ? fmt::format("entry {} is not a whole number", d)
+                                   : fmt::format("{} is out of range", *count),
+                  fmt::format("give whole numbers from {} to {}", least, most));
+    }
+    out[d] = static_cast<int>(*count);
+  }
+  return out;
+}
+
 bool Section::flag(std::string const& key, bool fallback) const {
   Node const* found = node_->find(key);
   if (found == nullptr) {

@@ -32,6 +32,8 @@ class Section {
   /// > 0
   [[nodiscard]] double positive(std::string const& key, Dimension const& dimension) const;
   [[nodiscard]] long integer(std::string const& key, long least, long most) const;
+  /// `number` whole numbers, one an axis; 1 along the axes beyond.
+  [[nodiscard]] std::array<int, 3> counts(std::string const& key, std::size_t number, long least, long most) const;
   /// true or "on", false or "off".
   [[nodiscard]] bool flag(std::string const& key, bool fallback) const;
   [[nodiscard]] std::string text(std::string const& key) const;
