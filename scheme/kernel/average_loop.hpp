@@ -20,7 +20,9 @@ void average(AverageArguments const& g) noexcept {
   std::ptrdiff_t const n = static_cast<std::ptrdiff_t>(g.cells);
   for (std::ptrdiff_t i = 0; i < n; i += static_cast<std::ptrdiff_t>(width<V>)) {
     V const rho = load<V>(g.rho + i), u = load<V>(g.u + i), p = load<V>(g.p + i), K = load<V>(g.K + i);
-    V const h = load<V>(g.h + i), share = 2.0 * h / (load<V>(g.h + i - 1) + 2.0 * h + load<V>(g.h + i + 1));
+    V const h = load<V>(g.h + i), h_l = load<V>(g.h + i - 1), h_r = load<V>(g.h + i + 1);
+    V share(0.5);
+    if (!all(h == h_l && h == h_r)) share = 2.0 * h / (h_l + 2.0 * h + h_r);
     auto const sides = [&](double const* q, V centre, V& left, V& right) G27_INLINE_LAMBDA {
       left = centre - load<V>(q + i - 1), right = load<V>(q + i + 1) - centre;
     };

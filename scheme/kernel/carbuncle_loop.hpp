@@ -57,7 +57,9 @@ void shock_flags(ShockFlagArguments& g) noexcept {
         }
         flag = select(in_shock && disturbed, V(1.0), flag);
       }
-      if (any(flag > 0.0)) g.any = true;
+      for (std::size_t k = 0; k < width<V> && i + static_cast<std::ptrdiff_t>(k) < n; ++k) {
+        g.any = g.any || lane(flag, k) > 0.0;
+      }
     }
     store(g.flag + i, flag);
   }

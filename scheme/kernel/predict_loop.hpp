@@ -37,7 +37,9 @@ template <class Predictor, bool uniform, bool cell_feet, Lane V>
 void predict(PredictArguments const& g) noexcept {
   bool const increments = g.inc_rho != nullptr;
   std::ptrdiff_t const n = static_cast<std::ptrdiff_t>(g.faces);
-  V const h0(g.h[0]), pair0(g.inv_pair[0]), triple0(g.inv_triple[0]);
+  // Equal widths: lengths and times in units of two widths make every mesh factor a constant, and leave speeds alone.
+  V const dt(uniform ? g.dt * g.inv_pair[0] : g.dt);
+  V const h0(0.5), pair0(1.0), triple0(2.0 / 3.0);
   for (std::ptrdiff_t f = 0; f < n; f += static_cast<std::ptrdiff_t>(width<V>)) {
     Stencil<V> s{.z = load_cell<V>(g, f - g.stride),
                  .a = load_cell<V>(g, f),
@@ -51,14 +53,15 @@ void predict(PredictArguments const& g) noexcept {
                  .triple_a = triple0,
                  .triple_b = triple0,
                  .w = V(0.0),
-                 .dt = V(g.dt),
+                 .dt = dt,
                  .foot_shift = V(0.0),
                  .foot_factor = V(1.0),
                  .linear_star = g.linear_star,
                  .incremented = increments,
                  .own_increments = g.own_increments,
                  .inc_a = {},
-                 .inc_b = {}};
+                 .inc_b = {},
+                 .uniform = uniform};
     if constexpr (!uniform) {
       s.h_a = load<V>(g.h + f), s.h_b = load<V>(g.h + f + 1);
       s.pair_za = load<V>(g.inv_pair + f - 1), s.pair_ab = load<V>(g.inv_pair + f);
@@ -104,7 +107,7 @@ template <bool uniform, Lane V>
 void predict_muscl(PredictArguments const& g) noexcept {
   bool const increments = g.inc_rho != nullptr;
   std::ptrdiff_t const n = static_cast<std::ptrdiff_t>(g.faces), step = static_cast<std::ptrdiff_t>(width<V>);
-  V const h0(g.h[0]), pair0(g.inv_pair[0]), dt(g.dt);
+  V const h0(0.5), pair0(1.0), dt(uniform ? g.dt * g.inv_pair[0] : g.dt);  // as in `predict`
   // Cell c lies between the faces c - 1 and c: it writes the left state of face c and the right state of face c - 1.
   // The lanes that run past the row land in the padding.
   for (std::ptrdiff_t c = 0; c <= n; c += step) {

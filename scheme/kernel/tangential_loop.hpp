@@ -14,16 +14,18 @@ G27_INLINE V carried(V mass, V left, V right) noexcept {
 template <class Kind, Lane V>
 void tangential(TangentialArguments const& g) noexcept {
   std::ptrdiff_t const n = static_cast<std::ptrdiff_t>(g.faces), s = g.stride;
-  V const h(g.h), pair(0.5 / g.h), triple(1.0 / (3.0 * g.h)), dt(g.dt);
+  // lengths in units of two cells
+  V const h(0.5), pair(1.0), triple(1.0 / 1.5), dt(0.5 * g.dt / g.h);
   ContactPath<V> path{};
   path.mesh.h_a = path.mesh.h_b = h;
   path.mesh.pair_za = path.mesh.pair_ab = path.mesh.pair_by = pair;
   path.mesh.triple_a = path.mesh.triple_b = triple;
+  path.mesh.uniform = true;
   for (std::ptrdiff_t f = 0; f < n; f += static_cast<std::ptrdiff_t>(width<V>)) {
     V const u_a = load<V>(g.u + f), u_b = load<V>(g.u + f + s), d_u = u_b - u_a;
     path.speed = 0.5 * (u_a + u_b);
     path.l = Kind::swept(d_u, dt, pair, path.speed);
-    path.c = sqrt(V((load<V>(g.K + f) + load<V>(g.K + f + s)) / (load<V>(g.rho + f) + load<V>(g.rho + f + s))));
+    path.K = load<V>(g.K + f) + load<V>(g.K + f + s), path.rho = load<V>(g.rho + f) + load<V>(g.rho + f + s);
     V const mass = load<V>(g.f_mass + f);
     V energy = load<V>(g.f_energy + f);
     for (std::size_t k = 0; k < g.fields; ++k) {

@@ -20,18 +20,26 @@ struct LinearPredictor {
     V const rho = a.rho + x_f * d_rho, u = a.u + x_f * d_u, K = a.K + x_f * d_K;
     V const c2 = K / rho, c = sqrt(c2), Z = rho * c, inv_c2 = 1.0 / c2, inv_Z = 1.0 / Z, v = u - s.w;
 
-    V phi_p(1.0), phi_m(1.0), phi_0(1.0);
+    V phi_p(1.0), phi_m(1.0), phi_0(1.0), phi_0r(1.0);
     if constexpr (kind == Switch::literal) {
       // the paper's switch: one for all, from pressure alone
       phi_p = switch_value<kind>(s, (a.p - z.p) * s.pair_za, d_p * s.pair_ab, (y.p - b.p) * s.pair_by, v > 0.0, K);
-      phi_m = phi_0 = phi_p;
+      phi_m = phi_0 = phi_0r = phi_p;
     } else if constexpr (kind != Switch::off) {
       V const p0 = (a.p - z.p) * s.pair_za, p1 = d_p * s.pair_ab, p2 = (y.p - b.p) * s.pair_by;
       V const u0 = Z * (a.u - z.u) * s.pair_za, u1 = Z * d_u * s.pair_ab, u2 = Z * (y.u - b.u) * s.pair_by;
       V const r0 = (a.rho - z.rho) * s.pair_za, r1 = d_rho * s.pair_ab, r2 = (y.rho - b.rho) * s.pair_by;
       phi_p = switch_value<kind>(s, p0 + u0, p1 + u1, p2 + u2, v + c >= 0.0, K);
       phi_m = switch_value<kind>(s, p0 - u0, p1 - u1, p2 - u2, v - c >= 0.0, K);
-      phi_0 = switch_value<kind>(s, r0 - p0 * inv_c2, r1 - p1 * inv_c2, r2 - p2 * inv_c2, v >= 0.0, rho);
+      phi_0 = phi_0r = switch_value<kind>(s, r0 - p0 * inv_c2, r1 - p1 * inv_c2, r2 - p2 * inv_c2, v >= 0.0, rho);
+      if constexpr (kind == Switch::graded) {
+        // a contact that stands comes from both sides, each with its own neighbour: mirror images stay so
+        if (Mask<V> const stands = v == 0.0; any(stands)) {
+          V const from_right =
+              switch_value<kind>(s, r0 - p0 * inv_c2, r1 - p1 * inv_c2, r2 - p2 * inv_c2, v > 0.0, rho);
+          phi_0r = select(stands, from_right, phi_0r);
+        }
+      }
     }
 
     // feet in units of the distance between the centres, clipped to the two half cells
@@ -65,7 +73,7 @@ struct LinearPredictor {
 
     // entropy rides with the contact: density at its own foot, moved along the isentrope to the acoustic pressure
     V rho_l = a.rho + phi_0 * x_0 * d_rho, pz_l = a.p + phi_0 * x_0 * d_p;
-    V rho_r = b.rho - phi_0 * (1.0 - x_0) * d_rho, pz_r = b.p - phi_0 * (1.0 - x_0) * d_p;
+    V rho_r = b.rho - phi_0r * (1.0 - x_0) * d_rho, pz_r = b.p - phi_0r * (1.0 - x_0) * d_p;
     if constexpr (single_foot) rho_l = left.rho, pz_l = left.p, rho_r = right.rho, pz_r = right.p;
 
     if (s.incremented) {
@@ -80,7 +88,7 @@ struct LinearPredictor {
     u_s = select(from_left, left.u, select(from_right, right.u, u_s));
     Mask<V> const left_of_contact = u_s > s.w;
     V const rho_s = select(left_of_contact, rho_l + (p_s - pz_l) * inv_c2, rho_r + (p_s - pz_r) * inv_c2);
-    V const phi_min = min(phi_p, min(phi_m, phi_0)), K_min = min(a.K, b.K);
+    V const phi_min = min(phi_p, min(phi_m, min(phi_0, phi_0r))), K_min = min(a.K, b.K);
     Mask<V> const weak = Mask<V>(s.linear_star) && phi_min == 1.0 && abs(d_p) <= weak_pressure * K_min &&
                          abs(d_u) <= weak_velocity * c && rho_s > 0.2 * min(a.rho, b.rho);
     V const one(1.0), zero(0.0);
@@ -90,7 +98,7 @@ struct LinearPredictor {
         .star = {rho_s, u_s, p_s}, .change = {}, .left = left, .right = right, .weak = weak, .switched = switched};
     if (!all(weak)) {
       // rho (1 + g dp/K)^(1/g): exact isentrope of an ideal or stiffened gas, positive for every EOS
-      V const K_l = a.K + phi_0 * x_0 * d_K, K_r = b.K - phi_0 * (1.0 - x_0) * d_K;
+      V const K_l = a.K + phi_0 * x_0 * d_K, K_r = b.K - phi_0r * (1.0 - x_0) * d_K;
       V const base_l = max(1.0 + exponent * (left.p - pz_l) / K_l, V(1e-3));
       V const base_r = max(1.0 + exponent * (right.p - pz_r) / K_r, V(1e-3));
       out.left.rho = rho_l * pow(base_l, 1.0 / exponent);

@@ -4,8 +4,7 @@
 ///
 /// On linear waves the swept averages alone are of third order. A nonlinear flow needs three things more, each of
 /// second order and each taken where the data are smooth: the cell averages of u and p (average_loop.hpp), the
-/// quadratic terms of the face state's mean over the step (quadratic, below), and fluxes averaged over the step
-/// (solve_loop.hpp).
+/// quadratic terms of the face state's mean over the step, and fluxes averaged over the step (solve_loop.hpp).
 ///
 /// Fields: R+- = dp +- Z du, S = drho - dp/c^2. A, B, C are a field's differences over the sum of the two widths across
 /// the three intervals. Of the upwind cell's parabola only its slope over the swept interval matters,
@@ -36,8 +35,9 @@ struct ParabolicPredictor {
     Cell<V> const &z = s.z, &a = s.a, &b = s.b, &y = s.y;
     V const zero(0.0), one(1.0);
     V const rho = 0.5 * (a.rho + b.rho), p = 0.5 * (a.p + b.p), K = 0.5 * (a.K + b.K), u = 0.5 * (a.u + b.u);
-    V const inv = 1.0 / (rho * K), inv_rho = inv * K, inv_K = inv * rho;
-    V const c2 = K * inv_rho, c = sqrt(c2), inv_c2 = inv_K * rho, Z = rho * c, inv_Z = inv_rho * c * inv_c2;
+    // one division and one root that do not wait for each other
+    V const Z2 = rho * K, inv = 1.0 / Z2, Z = sqrt(Z2), inv_Z = inv * Z, inv_rho = inv * K, inv_K = inv * rho;
+    V const c2 = K * inv_rho, inv_c2 = rho * inv_K, c = Z * inv_rho;
     V const v = u - s.w, h_sum = s.h_a + s.h_b;
 
     V const d_p = b.p - a.p, d_u = b.u - a.u;
@@ -50,22 +50,25 @@ struct ParabolicPredictor {
     // speeds at the middle of the swept interval: u +- c less half of its change along the path,
     // c_x = (c/2)(K_x/K - rho_x/rho) since c^2 = K/rho for every EOS
     V const k = V(4.0 / 3.0) * s.dt;
-    V const D_u = k * gu1 * inv_Z, D_c = (0.5 * k) * c * ((b.K - a.K) * s.pair_ab * inv_K - gr1 * inv_rho);
+    Slopes<V> const half{.rho = gr1, .u = d_u * s.pair_ab, .p = gp1, .K = (b.K - a.K) * s.pair_ab};
+    V const rel_rho = half.rho * inv_rho, rel_K = half.K * inv_K;
+    V const D_u = k * half.u, D_c = (0.5 * k) * c * (rel_K - rel_rho);
     auto const shrink = [&](V d) G27_INLINE_LAMBDA {
       return s.dt * (1.0 - max(V(parabolic::speed_low), min(V(parabolic::speed_high), d)));
     };
     V const l_p = (v + c) * shrink(D_u + D_c), l_m = (v - c) * shrink(D_u - D_c), l_0 = v * shrink(D_u);
     Mask<V> const fwd_p = l_p >= 0.0, fwd_m = l_m >= 0.0, fwd_0 = l_0 >= 0.0;
 
-    V const keep = limited ? slow_shock(s, c) : one;
-    V switched(0.0);
     V const gate = max(abs(gp0), max(abs(gp1), abs(gp2)));
+    V const K_min = min(a.K, b.K), rho_min = min(a.rho, b.rho);
+    Slow<V> const slow = limited ? slow_shock(s, c, gate, K_min) : Slow<V>{};
+    V switched(0.0);
     auto const acoustic = [&](V A, V B, V C, V l, Mask<V> forward) G27_INLINE_LAMBDA {
-      return field<false>(s, A, B, C, l, forward, Z * c, rho, gate, c2, keep, switched);
+      return field<false>(s, A, B, C, l, forward, Z * c, rho, gate, c2, slow, switched);
     };
     V const Ap = gp0 + gu0, Bp = gp1 + gu1, Cp = gp2 + gu2, Am = gp0 - gu0, Bm = gp1 - gu1, Cm = gp2 - gu2;
     V const hg_p = acoustic(Ap, Bp, Cp, l_p, fwd_p), hg_m = acoustic(Am, Bm, Cm, l_m, fwd_m);
-    V const hg_0 = field<true>(s, gs0, gs1, gs2, l_0, fwd_0, rho, rho, gate, c2, keep, switched);
+    V const hg_0 = field<true>(s, gs0, gs1, gs2, l_0, fwd_0, rho, rho, gate, c2, slow, switched);
 
     // the star state without a solver: deviations of the three fields from the mean of the two cells
     auto const deviation = [&](V hg, V B, Mask<V> forward) G27_INLINE_LAMBDA {
@@ -73,6 +76,14 @@ struct ParabolicPredictor {
       return select(forward, e, -e);
     };
     V e_p = deviation(hg_p, Bp, fwd_p), e_m = deviation(hg_m, Bm, fwd_m), e_0 = deviation(hg_0, gs1, fwd_0);
+    // a contact that stands comes from both sides: mirror images stay so
+    Mask<V> const stands = l_0 == 0.0 && gs1 != 0.0;
+    V hg_0r = hg_0;
+    if (any(stands)) {
+      V again(0.0);
+      hg_0r = field<true>(s, gs0, gs1, gs2, l_0, Mask<V>(false), rho, rho, gate, c2, slow, again);
+      e_0 = select(stands, 0.5 * (e_0 + deviation(hg_0r, gs1, Mask<V>(false))), e_0);
+    }
     if (s.incremented) {
       // at a third of the path (the time mean of the rate along it), linear between the centres; or the upwind cell's
       auto const third = [&](V l, V in_a, V in_b) G27_INLINE_LAMBDA {
@@ -87,7 +98,6 @@ struct ParabolicPredictor {
     }
     V const x_s = 0.5 * (e_p + e_m);
     V const p_s = p + x_s, u_s = u + 0.5 * (e_p - e_m) * inv_Z, rho_s = rho + e_0 + x_s * inv_c2;
-    V const K_min = min(a.K, b.K), rho_min = min(a.rho, b.rho);
     Mask<V> const allow(s.linear_star);
     Mask<V> weak = allow && abs(d_p) <= weak_pressure * K_min && abs(d_u) <= weak_velocity * c && rho_s > 0.2 * rho_min;
     FacePrediction<V> out{.star = {rho_s, u_s, p_s},
@@ -101,23 +111,31 @@ struct ParabolicPredictor {
     Mask<V> const smooth = weak && abs(b.rho - a.rho) <= parabolic::smooth_change * rho &&
                            abs(d_p) <= parabolic::smooth_change * K && abs(d_u) <= parabolic::smooth_change * c;
     if (any(smooth)) {
-      Slopes<V> const x{.rho = 2.0 * gr1, .u = 2.0 * gu1 * inv_Z, .p = 2.0 * gp1, .K = 2.0 * (b.K - a.K) * s.pair_ab};
-      GasState<V> rate{-(v * x.rho + rho * x.u), -(v * x.u + x.p * inv_rho), -(v * x.p + K * x.u)};
-      V rate_K = -(v * x.K + 0.5 * (a.dK_dp + b.dK_dp) * K * x.u);
+      // halves of d/dx and of d/dt; A W_x = -W_t without increments
+      GasState<V> rate{-(v * half.rho + rho * half.u), -(v * half.u + half.p * inv_rho), -(v * half.p + K * half.u)};
+      V const dK_dp = 0.5 * (a.dK_dp + b.dK_dp), v_u = v * half.u, rel = rel_K + rel_rho;
+      // What a nonlinear flow adds to the mean of the face state over the step, to third order, beyond the swept
+      // averages. The mean is W - (dt/2) A W_x + (dt^2/6) (A^2 W_xx + A (A_x W_x) - A'[W_t] W_x); the swept averages
+      // hold A^2 W_xx and, with their shortened lengths, (dt^2/3) lambda lambda_x of each field. What is left:
+      GasState<V> q{2.0 * v_u * half.rho - (rel_K - rel_rho) * (half.p + rho * v_u),
+                    inv_rho * (half.u * (c2 * half.rho - half.p) - v * half.p * rel),
+                    K * (half.u * half.u * (dK_dp - 1.0) + v_u * rel) + half.p * (half.p - half.K) * inv_rho};
       if (s.incremented) {
-        V const inv_dt = 1.0 / s.dt;  // an increment is half a step of the rate
-        GasState<V> const extra{inv_dt * (s.inc_a.rho + s.inc_b.rho), inv_dt * (s.inc_a.u + s.inc_b.u),
-                                inv_dt * (s.inc_a.p + s.inc_b.p)};
+        V const half_rate = 0.5 / s.dt;  // an increment is half a step of the rate
+        GasState<V> const extra{half_rate * (s.inc_a.rho + s.inc_b.rho), half_rate * (s.inc_a.u + s.inc_b.u),
+                                half_rate * (s.inc_a.p + s.inc_b.p)};
         rate = {rate.rho + extra.rho, rate.u + extra.u, rate.p + extra.p};
-        // its isentropic part, and the rest with dK/dp at constant density
-        V const along = c2 * extra.rho;
-        rate_K += 0.5 * (a.dK_dp + b.dK_dp) * along + exponent * (extra.p - along);
+        // dK/dt: its isentropic part, and the rest with dK/dp at constant density
+        V const along = c2 * extra.rho, extra_K = dK_dp * along + exponent * (extra.p - along);
+        q.rho -= extra.u * half.rho + extra.rho * half.u;
+        q.u -= extra.u * half.u - extra.rho * half.p * inv_rho * inv_rho;
+        q.p -= extra_K * half.u + extra.u * half.p;
       }
-      GasState<V> const q = quadratic(s.dt, rho, v, K, c, rate, rate_K, x);
-      out.star = {select(smooth, rho_s + q.rho, rho_s), select(smooth, u_s + q.u, u_s), select(smooth, p_s + q.p, p_s)};
-      V const share = s.dt * (1.0 / 3.4641016151377545871);
-      out.change = {select(smooth, share * rate.rho, zero), select(smooth, share * rate.u, zero),
-                    select(smooth, share * rate.p, zero)};
+      V const k_q = s.dt * s.dt * (4.0 / 6.0), k_t = s.dt * (2.0 / 3.4641016151377545871);
+      out.star = {select(smooth, rho_s + k_q * q.rho, rho_s), select(smooth, u_s + k_q * q.u, u_s),
+                  select(smooth, p_s + k_q * q.p, p_s)};
+      out.change = {select(smooth, k_t * rate.rho, zero), select(smooth, k_t * rate.u, zero),
+                    select(smooth, k_t * rate.p, zero)};
     }
     if (all(weak)) return out;
 
@@ -126,7 +144,7 @@ struct ParabolicPredictor {
       V const far = select(forward, C, A);
       V g = select(far * B > 0.0, select(abs(far) < abs(B), far, B), zero);
       if constexpr (!limited) g = B;
-      g = g * keep;
+      if (slow.somewhere) g = select(slow.face, zero, g);
       d_l = select(forward, hg, (s.h_a - l) * g);
       d_r = -select(forward, (s.h_b + l) * g, hg);
     };
@@ -134,6 +152,7 @@ struct ParabolicPredictor {
     sides(Ap, Bp, Cp, l_p, fwd_p, hg_p, lp, rp);
     sides(Am, Bm, Cm, l_m, fwd_m, hg_m, lm, rm);
     sides(gs0, gs1, gs2, l_0, fwd_0, hg_0, l0, r0);
+    r0 = select(stands, -hg_0r, r0);
     V const x_l = 0.5 * (lp + lm), x_r = 0.5 * (rp + rm);
     GasState<V> left{a.rho + l0 + x_l * inv_c2, a.u + 0.5 * (lp - lm) * inv_Z, a.p + x_l};
     GasState<V> right{b.rho + r0 + x_r * inv_c2, b.u + 0.5 * (rp - rm) * inv_Z, b.p + x_r};
@@ -149,13 +168,35 @@ struct ParabolicPredictor {
     return out;
   }
 
+  /// Faces near a strong shock that hardly moves over the mesh (relative to the sound speed).
+  template <Lane V>
+  struct Slow {
+    Mask<V> face{false};
+    bool somewhere = false;
+  };
+  template <Lane V>
+  G27_INLINE static Slow<V> slow_shock(Stencil<V> const& s, V c, V steepest_p, V K_min) noexcept {
+    // cheap and a little too often true; the pressure slopes are differences times pair
+    V const K_low = min(K_min, min(s.z.K, s.y.K)),
+            pair_low = s.uniform ? s.pair_ab : min(s.pair_za, min(s.pair_ab, s.pair_by));
+    if (!any(steepest_p > (0.99 * parabolic::shock_pressure) * pair_low * K_low)) return {};
+    auto const jump = [&](Cell<V> const& l, Cell<V> const& r) G27_INLINE_LAMBDA {
+      return abs(r.p - l.p) > parabolic::shock_pressure * min(l.K, r.K) && r.u < l.u &&
+             abs(r.rho * (r.u - s.w) - l.rho * (l.u - s.w)) <= parabolic::shock_slowness * c * abs(r.rho - l.rho);
+    };
+    Mask<V> const face = jump(s.z, s.a) || jump(s.a, s.b) || jump(s.b, s.y);
+    return {face, any(face)};
+  }
+
   /// (h_u - s) times the bounded slope over the swept interval.
   template <bool entropy, Lane V>
   G27_INLINE static V field(Stencil<V> const& s, V A, V B, V C, V l, Mask<V> forward, V scale, V rho, V gate, V c2,
-                            V keep, V& switched) noexcept {
+                            Slow<V> const& slow, V& switched) noexcept {
     V const zero(0.0), one(1.0), h_sum = s.h_a + s.h_b;
-    V const swept = abs(l), D = select(forward, A, C), h_u = select(forward, s.h_a, s.h_b), h_d = h_sum - h_u;
-    V const lin = B + ((swept + h_d) * select(forward, s.triple_a, s.triple_b)) * (D - B);
+    V const swept = abs(l), D = select(forward, A, C);
+    V const h_u = s.uniform ? s.h_a : select(forward, s.h_a, s.h_b), h_d = h_sum - h_u;
+    V const triple = s.uniform ? s.triple_a : select(forward, s.triple_a, s.triple_b);
+    V const lin = B + ((swept + h_d) * triple) * (D - B);
     V const rest = max(h_u - swept, zero);
     if constexpr (!limited) return rest * lin;
 
@@ -168,20 +209,22 @@ struct ParabolicPredictor {
     } else {
       // Compression of a contact: where the slope is the steepest of three, by more than the threshold, and no
       // pressure jump goes with it, up to the universal bounds (no new extremum in the swept interval).
-      V const curvature = min(abs(B - A), abs(B - C));
-      Mask<V> const steep = curvature > parabolic::compression * size_B && size_B > abs(A) && size_B > abs(C) &&
-                            size_B * h_sum >= parabolic::compression_jump * rho &&
-                            gate <= parabolic::compression_sound * c2 * size_B;
       Mask<V> const beyond = up > 2.0 * d || up * h_u > h_sum * size_B;
+      Mask<V> const large = size_B * h_sum >= parabolic::compression_jump * rho;
       bound = up;
-      if (any(steep || beyond)) {
+      if (any(large || beyond)) {
+        V const curvature = min(abs(B - A), abs(B - C));
+        Mask<V> const steep = large && curvature > parabolic::compression * size_B && size_B > abs(A) &&
+                              size_B > abs(C) && gate <= parabolic::compression_sound * c2 * size_B;
         V const e = parabolic::least_share * h_u, from = swept + e, to = max(h_u - swept, e);
-        V const universal = min(min(2.0 * h_u * d / from, 8.0 * d), min(h_sum * size_B / to, 8.0 * size_B));
-        V const share =
-            min(one, (curvature - parabolic::compression * size_B) / max(parabolic::compression * size_B, V(1e-300)));
-        V const steepened = up + share * (max(universal, up) - up);
-        up = select(steep, steepened, up);
-        bound = select(steep || beyond, universal, bound);
+        V const each = 1.0 / (from * to);
+        V const universal = min(min(2.0 * h_u * to * each, V(8.0)) * d, min(h_sum * from * each, V(8.0)) * size_B);
+        bound = select(beyond, universal, bound);
+        if (any(steep)) {
+          V const share = min(one, curvature / max(parabolic::compression * size_B, V(1e-300)) - 1.0);
+          up = select(steep, up + share * (max(universal, up) - up), up);
+          bound = select(steep, universal, bound);
+        }
       }
     }
     V g = max(zero, min(up, bound)) * sign;
@@ -193,9 +236,11 @@ struct ParabolicPredictor {
                              k1 * (3.0 * k2 - k1) >= 0.0 && k2 * (3.0 * k1 - k2) >= 0.0;
       g = select(smooth, lin, g);
     }
-    g = g * keep;
-    // round-off noise in a field that is not there is bounded too, to no effect: it does not count
-    switched += select(abs(g - lin) * h_sum > parabolic::round_off * scale, one, zero);
+    if (slow.somewhere) g = select(slow.face, zero, g);
+    if (any(changed) || slow.somewhere) {
+      // round-off noise in a field that is not there is bounded too, to no effect: it does not count
+      switched += select(abs(g - lin) * h_sum > parabolic::round_off * scale, one, zero);
+    }
     return rest * g;
   }
 
@@ -204,42 +249,6 @@ struct ParabolicPredictor {
   struct Slopes {
     V rho, u, p, K;
   };
-
-  /// What a nonlinear flow adds to the mean of the face state over the step, to third order, beyond the swept averages.
-  /// From W_t = -A W_x the mean is W - (dt/2) A W_x + (dt^2/6) (A^2 W_xx + A (A_x W_x) - A'[W_t] W_x); the swept
-  /// averages with their shortened lengths hold all of it but the last two terms, of which they hold
-  /// (dt^2/3) lambda lambda_x for every field. v: velocity over the face; rate, rate_K: d/dt of the state and of K.
-  template <Lane V>
-  G27_INLINE static GasState<V> quadratic(V dt, V rho, V v, V K, V c, GasState<V> const& rate, V rate_K,
-                                          Slopes<V> const& x) noexcept {
-    V const inv_rho = 1.0 / rho, inv_rho2 = inv_rho * inv_rho, Z = rho * c, inv_c2 = rho / K;
-    // B = A_x W_x
-    V const b_rho = 2.0 * x.rho * x.u, b_u = x.u * x.u - x.rho * x.p * inv_rho2, b_p = (x.K + x.p) * x.u;
-    V const q_rho = v * b_rho + rho * b_u - rate.u * x.rho - rate.rho * x.u;
-    V const q_u = v * b_u + b_p * inv_rho - rate.u * x.u + rate.rho * x.p * inv_rho2;
-    V const q_p = K * b_u + v * b_p - rate_K * x.u - rate.u * x.p;
-    // already there, by the shortened lengths
-    V const c_x = 0.5 * c * (x.K / K - x.rho * inv_rho);
-    V const s_p = 2.0 * (v + c) * (x.u + c_x) * (x.p + Z * x.u), s_m = 2.0 * (v - c) * (x.u - c_x) * (x.p - Z * x.u);
-    V const s_0 = 2.0 * v * x.u * (x.rho - x.p * inv_c2);
-    V const have_p = 0.5 * (s_p + s_m), have_u = 0.5 * (s_p - s_m) / Z, have_rho = s_0 + have_p * inv_c2;
-    V const k = dt * dt * (1.0 / 6.0);
-    return {k * (q_rho - have_rho), k * (q_u - have_u), k * (q_p - have_p)};
-  }
-
-  /// 0 on faces near a strong shock that hardly moves over the mesh (relative to the sound speed), 1 elsewhere.
-  template <Lane V>
-  G27_INLINE static V slow_shock(Stencil<V> const& s, V c) noexcept {
-    V const one(1.0), zero(0.0);
-    auto const jump = [&](Cell<V> const& l, Cell<V> const& r) G27_INLINE_LAMBDA {
-      return abs(r.p - l.p) > parabolic::shock_pressure * min(l.K, r.K) && r.u < l.u &&
-             abs(r.rho * (r.u - s.w) - l.rho * (l.u - s.w)) <= parabolic::shock_slowness * c * abs(r.rho - l.rho);
-    };
-    V const low = min(min(s.z.p, s.a.p), min(s.b.p, s.y.p)), high = max(max(s.z.p, s.a.p), max(s.b.p, s.y.p));
-    V const K_low = min(min(s.z.K, s.a.K), min(s.b.K, s.y.K));
-    if (!any(high - low > parabolic::shock_pressure * K_low)) return one;
-    return select(jump(s.z, s.a) || jump(s.a, s.b) || jump(s.b, s.y), zero, one);
-  }
 };
 
 }  // namespace g27

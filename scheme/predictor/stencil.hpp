@@ -31,6 +31,7 @@ struct Stencil {
   bool incremented;             ///< the increments below are there
   bool own_increments;          ///< each side takes that of its own cell
   GasState<V> inc_a, inc_b;     ///< half-step increments of a and b from sources, geometry, transverse terms
+  bool uniform = false;         ///< equal widths: h, pair and triple are the same on both sides
 };
 
 template <Lane V>

@@ -10,7 +10,9 @@ namespace g27 {
 template <Lane V>
 struct ContactPath {
   Stencil<V> mesh;  ///< widths and mesh factors alone are set
-  V c, speed, l;
+  V K, rho;         ///< sums over the two cells: the scale of the switch is their sound speed
+  V speed, l;
+  G27_INLINE V sound() const noexcept { return sqrt(V(K / rho)); }
 };
 
 template <Lane V>
@@ -37,8 +39,23 @@ struct LinearTangential {
   G27_INLINE static TwoSides<V> sides(ContactPath<V> const& f, V z, V a, V b, V y) noexcept {
     Stencil<V> const& s = f.mesh;
     V const d = b - a;
-    V const phi = switch_value<kind>(s, (a - z) * s.pair_za, d * s.pair_ab, (y - b) * s.pair_by, f.speed >= 0.0, f.c);
-    return at_foot(f, a, d, b, phi);
+    V const A = (a - z) * s.pair_za, B = d * s.pair_ab, C = (y - b) * s.pair_by;
+    V phi(1.0);
+    if constexpr (kind != Switch::off) {
+      // where the upwind slope is at least half of that across the face, the graded switch does not act
+      V const D = select(f.speed >= 0.0, A, C);
+      if (kind != Switch::graded || !all(2.0 * D * B >= B * B)) {
+        phi = switch_value<kind>(s, A, B, C, f.speed >= 0.0, f.sound());
+      }
+    }
+    TwoSides<V> t = at_foot(f, a, d, b, phi);
+    if constexpr (kind == Switch::graded) {
+      if (Mask<V> const stands = f.speed == 0.0 && B != 0.0; any(stands)) {
+        t.right = select(stands, at_foot(f, a, d, b, switch_value<kind>(s, A, B, C, f.speed > 0.0, f.sound())).right,
+                         t.right);
+      }
+    }
+    return t;
   }
   template <Lane V>
   G27_INLINE static TwoSides<V> at_foot(ContactPath<V> const& f, V a, V d, V b, V phi) noexcept {
@@ -62,12 +79,19 @@ struct ParabolicTangential {
     V const A = (a - z) * s.pair_za, B = (b - a) * s.pair_ab, C = (y - b) * s.pair_by, zero(0.0);
     Mask<V> const forward = f.l >= 0.0;
     V switched(0.0);
-    V const hg = ParabolicPredictor<limited>::template field<false>(s, A, B, C, f.l, forward, f.c, f.c, zero, zero,
-                                                                    V(1.0), switched);
+    V const c = f.sound();
+    V const hg =
+        ParabolicPredictor<limited>::template field<false>(s, A, B, C, f.l, forward, c, c, zero, zero, {}, switched);
     V const far = select(forward, C, A);
     V g = select(far * B > 0.0, select(abs(far) < abs(B), far, B), zero);
     if constexpr (!limited) g = B;
-    return {a + select(forward, hg, (s.h_a - f.l) * g), b - select(forward, (s.h_b + f.l) * g, hg)};
+    TwoSides<V> t{a + select(forward, hg, (s.h_a - f.l) * g), b - select(forward, (s.h_b + f.l) * g, hg)};
+    if (Mask<V> const stands = f.l == 0.0 && B != 0.0; any(stands)) {
+      V const from_right = ParabolicPredictor<limited>::template field<false>(s, A, B, C, f.l, Mask<V>(false), c, c,
+                                                                              zero, zero, {}, switched);
+      t.right = select(stands, b - from_right, t.right);
+    }
+    return t;
   }
   /// With half of the speed's change along the path, as for the contact's density.
   template <Lane V>

@@ -148,7 +148,7 @@ double GasGrid::Impl::signal_rate(FiveDensities const& q) const noexcept {
 
 Vec3 GasGrid::Impl::centre(Int3 const& cell) const noexcept {
   Vec3 x{};
-  for (std::size_t a = 0; a < 3; ++a) x[a] = context.lower[a] + (static_cast<double>(cell[a]) + 0.5) * context.h[a];
+  for (std::size_t a = 0; a < 3; ++a) x[a] = context.lower[a] + (context.swept[a] ? static_cast<double>(cell[a]) + 0.5 : 0.0) * context.h[a];
   return x;
 }
 

@@ -43,7 +43,8 @@ GridBoundary const& GridContext::condition(Side side, Vec3 const& x) const noexc
 Vec3 TileWork::centre(Int3 const& cell) const noexcept {
   Vec3 x{};
   for (std::size_t a = 0; a < 3; ++a) {
-    x[a] = g_.lower[a] + (static_cast<double>(tile_->box.first[a] + cell[a]) + 0.5) * g_.h[a];
+    double const cells = g_.swept[a] ? static_cast<double>(tile_->box.first[a] + cell[a]) + 0.5 : 0.0;
+    x[a] = g_.lower[a] + cells * g_.h[a];
   }
   return x;
 }

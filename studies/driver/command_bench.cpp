@@ -19,7 +19,15 @@ int command_bench(BenchArguments const& arguments) {
     fmt::print(stderr, "{}: {}\n", benchmark.name, benchmark.what);
     Table const table = benchmark.run({.cells = arguments.cells, .threads = arguments.threads});
     if (arguments.json) {
-      json[benchmark.name] = to_json(table);
+      nlohmann::ordered_json of_table = to_json(table);
+      // a benchmark that was asked for by name is the object itself, with its yardsticks as keys
+      if (!arguments.name.empty()) {
+        json = {{"benchmark", benchmark.name}};
+        json.update(of_table["facts"]);
+        json.update(of_table);
+      } else {
+        json[benchmark.name] = std::move(of_table);
+      }
     } else {
       fmt::print("{}\n", to_text(table));
     }
