@@ -28,6 +28,10 @@ struct CaseArguments {
   std::optional<int> cells, order;
   std::optional<double> cfl;
   std::optional<std::string> monotonicity, mesh, eos, scheme, feet, riemann;
+  std::optional<std::string> transverse, cure, skip;
+  std::optional<int> threads;
+  std::vector<int> tile;         ///< empty, or cells along each axis
+  std::vector<std::string> set;  ///< key=value
   bool json = false;
 };
 int command_case(CaseArguments const& arguments);

@@ -1,5 +1,9 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "studies/driver/command.hpp"
@@ -19,8 +23,60 @@ std::size_t index_in(std::vector<std::string> const& names, std::string const& n
   return static_cast<std::size_t>(found - names.begin());
 }
 
+bool is_on(std::string const& value, std::string const& option) { return index_in({"off", "on"}, value, option) == 1; }
+
+/// key=value of the case's parameters.
+std::map<std::string, double> values_of(CaseArguments const& a, Case const& chosen) {
+  std::vector<std::string> names;
+  for (CaseParameter const& p : chosen.parameters) names.push_back(p.name);
+  std::map<std::string, double> values;
+  for (std::string const& pair : a.set) {
+    auto const equals = pair.find('=');
+    if (equals == std::string::npos) {
+      throw InputError("g27 case", "--set", fmt::format("'{}' gives no value", pair), "write --set key=value");
+    }
+    std::string const key = names[index_in(names, pair.substr(0, equals), "--set")], text = pair.substr(equals + 1);
+    char* end = nullptr;
+    double const value = std::strtod(text.c_str(), &end);
+    if (text.empty() || *end != 0 || !std::isfinite(value)) {
+      throw InputError("g27 case", "--set " + key, fmt::format("'{}' is not a number", text), "give a number");
+    }
+    values[key] = value;
+  }
+  return values;
+}
+
+void read_grid_options(CaseArguments const& a, Case const& chosen, CaseOptions& options) {
+  auto const only = [&](bool given, char const* option, bool grid) {
+    if (given && grid != (chosen.dimensions > 1)) {
+      throw InputError("g27 case", option, fmt::format("is of no use in '{}'", chosen.name),
+                       grid ? "choose a case in two or three dimensions" : "choose a case in one dimension");
+    }
+  };
+  only(a.transverse.has_value(), "--transverse", true);
+  only(a.cure.has_value(), "--cure", true);
+  only(a.skip.has_value(), "--skip", true);
+  only(!a.tile.empty(), "--tile", true);
+  only(a.feet.has_value(), "--feet", false);
+  if (a.transverse) {
+    options.transverse =
+        static_cast<Transverse>(index_in({"own_cell", "averaged", "none"}, *a.transverse, "--transverse"));
+  }
+  if (a.cure) options.cure = is_on(*a.cure, "--cure");
+  if (a.skip) options.skip = is_on(*a.skip, "--skip");
+  if (!a.tile.empty()) {
+    options.tile = Int3{a.tile[0], a.tile[1], a.tile[2]};
+    if (*std::min_element(a.tile.begin(), a.tile.end()) < 1) {
+      throw InputError("g27 case", "--tile", "has a side without cells", "give three whole numbers above 0");
+    }
+  }
+}
+
 CaseOptions options_of(CaseArguments const& a, Case const& chosen) {
   CaseOptions options;
+  read_grid_options(a, chosen, options);
+  options.values = values_of(a, chosen);
+  options.threads = a.threads;
   options.cells = a.cells;
   options.cfl = a.cfl;
   if (a.cfl && !(*a.cfl > 0 && *a.cfl <= 1)) {
@@ -43,8 +99,7 @@ CaseOptions options_of(CaseArguments const& a, Case const& chosen) {
     options.riemann = static_cast<RiemannSolver>(index_in(riemann_names(), *a.riemann, "--riemann"));
   }
   if (a.mesh) {
-    std::vector<std::string> const meshes{"uniform", "graded", "alternating", "random", "moving", "moving-random"};
-    options.mesh = meshes[index_in(meshes, *a.mesh, "--mesh")];
+    options.mesh = chosen.meshes[index_in(chosen.meshes, *a.mesh, "--mesh")];
   }
   if (a.eos) {
     options.eos = chosen.eos[index_in(chosen.eos, *a.eos, "--eos")];
@@ -54,14 +109,18 @@ CaseOptions options_of(CaseArguments const& a, Case const& chosen) {
 
 nlohmann::ordered_json json_of(CaseResult const& r) {
   using Json = nlohmann::ordered_json;
-  GasCounters const& c = r.counters;
+  GridCounters const& c = r.counters;
   Json errors = Json::object();
   for (auto const& [variable, norms] : r.errors) {
     errors[variable] = {{"l1", norms.l1}, {"l2", norms.l2}, {"linf", norms.linf}};
   }
   double const updates = static_cast<double>(c.cell_updates);
   return {{"case", r.name},
+          {"dimensions", r.dimensions},
           {"cells", r.cells},
+          {"grid", r.grid},
+          {"mesh", r.mesh},
+          {"eos", r.eos},
           {"order", r.order},
           {"switch", r.monotonicity},
           {"steps", c.steps},
@@ -71,7 +130,13 @@ nlohmann::ordered_json json_of(CaseResult const& r) {
           {"errors", errors},
           {"switch_fraction", c.faces > 0 ? static_cast<double>(c.switched) / static_cast<double>(c.faces) : 0.0},
           {"fallbacks",
-           {{"linear_star", c.linear_star}, {"repaired", c.repaired}, {"floored", c.floored}, {"retried", c.retried}}},
+           {{"linear_star", c.linear_star},
+            {"repaired", c.repaired},
+            {"floored", c.floored},
+            {"retried", c.retried},
+            {"cured", c.cured}}},
+          {"cells_skipped", c.cells_skipped},
+          {"facts", r.facts},
           {"ledger",
            {{"mass", r.ledger.mass.residual()},
             {"momentum", r.ledger.momentum.residual()},
@@ -79,9 +144,11 @@ nlohmann::ordered_json json_of(CaseResult const& r) {
 }
 
 void print_text(Case const& chosen, CaseResult const& r) {
-  fmt::print("{}\n{}\n\n{} cells, {} mesh, {}, {} scheme, switch {}\n", chosen.title, chosen.source, r.cells, r.mesh,
+  std::string const cells =
+      r.dimensions == 1 ? fmt::format("{}", r.cells) : fmt::format("{}", fmt::join(r.grid, " x "));
+  fmt::print("{}\n{}\n\n{} cells, {} mesh, {}, {} scheme, switch {}\n", chosen.title, chosen.source, cells, r.mesh,
              r.eos, r.scheme, r.monotonicity);
-  GasCounters const& c = r.counters;
+  GridCounters const& c = r.counters;
   fmt::print("{} steps to t = {:.6g} s in {:.3f} s: {:.3g} cell updates a second\n\n", c.steps, r.time, r.wall_s,
              r.wall_s > 0 ? static_cast<double>(c.cell_updates) / r.wall_s : 0.0);
   Table table{.name = "errors",
@@ -100,6 +167,11 @@ void print_text(Case const& chosen, CaseResult const& r) {
                  {"unaccounted mass", r.ledger.mass.residual()},
                  {"unaccounted momentum", r.ledger.momentum.residual()},
                  {"unaccounted energy", r.ledger.energy.residual()}};
+  if (r.dimensions > 1) {
+    table.facts.emplace_back("faces in shocks along the grid", static_cast<long>(c.cured));
+    table.facts.emplace_back("cell updates left out", static_cast<long>(c.cells_skipped));
+  }
+  for (auto const& [name, value] : r.facts) table.facts.emplace_back(name, value);
   fmt::print("{}", to_text(table));
 }
 

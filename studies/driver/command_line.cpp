@@ -62,15 +62,23 @@ void add_case(CLI::App& app, int& status) {
   auto const a = std::make_shared<CaseArguments>();
   auto* sub = add_command(app, "case", "run a verification case and print its errors", command_case, a, status);
   sub->add_option("name", a->name, "see: g27 list cases")->required();
-  sub->add_option("--cells", a->cells, "number of cells")->check(CLI::Range(4, 50'000'000));
+  sub->add_option("--cells", a->cells, "number of cells; of a grid, along its longest axis")
+      ->check(CLI::Range(4, 50'000'000));
   auto* order = sub->add_option("--order", a->order, "1 Godunov, 2 linear, 3 parabolic")->check(CLI::Range(1, 3));
   sub->add_option("--scheme", a->scheme, "godunov, linear, parabolic or muscl")->excludes(order);
   sub->add_option("--switch", a->monotonicity, "on, off, graded, binary or literal");
   sub->add_option("--cfl", a->cfl, "Courant number, above 0 and up to 1");
-  sub->add_option("--mesh", a->mesh, "uniform, graded, alternating, random, moving or moving-random");
+  sub->add_option("--mesh", a->mesh,
+                  "uniform, graded, alternating, random, moving or moving-random; of a grid, fixed or frame");
   sub->add_option("--eos", a->eos, "equation of state, where the case has a choice");
   sub->add_option("--feet", a->feet, "conservative, corrected-3.10 or printed-3.10");
   sub->add_option("--riemann", a->riemann, "fast, exact or hllc");
+  sub->add_option("--threads", a->threads, "number of threads (default: 1)")->check(CLI::Range(1, 1024));
+  sub->add_option("--set", a->set, "a parameter of the case: mach=5")->allow_extra_args(false);
+  sub->add_option("--transverse", a->transverse, "of a grid: own_cell, averaged or none");
+  sub->add_option("--cure", a->cure, "of a grid, of shocks along it: on or off");
+  sub->add_option("--skip", a->skip, "of a grid, tiles where nothing happens: on or off");
+  sub->add_option("--tile", a->tile, "of a grid: cells of a tile along x, y and z")->expected(3);
   json_flag(sub, a->json);
 }
 

@@ -40,7 +40,8 @@ TEST_CASE("every oracle is documented and runs", "[oracle]") {
     }
     CHECK_THROWS_AS(evaluate(oracle, {{"no_such_key", "1"}}), OracleError);
   }
-  for (char const* name : {"gas-riemann", "taylor-wave", "sedov", "noh", "simple-wave", "isentrope"})
+  for (char const* name :
+       {"gas-riemann", "taylor-wave", "sedov", "noh", "simple-wave", "isentrope", "vortex", "oblique-shock"})
     CHECK(names.count(name) == 1);
 }
 

@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <ctime>
 #include <numbers>
 #include <random>
 #include <stdexcept>
@@ -10,6 +9,7 @@
 
 #include "riemann/eos/factory.hpp"
 #include "scheme/step/gauss.hpp"
+#include "verification/cases/run_facts.hpp"
 #include "verification/measure/norms.hpp"
 
 namespace g27 {
@@ -27,40 +27,6 @@ double relative_width(std::string const& kind, int cell, int cells, std::mt19937
   if (is_random(kind)) return 1.0 + std::uniform_real_distribution<double>(-0.4, 0.4)(generator);
   if (kind == "uniform" || kind == "moving") return 1.0;
   throw std::invalid_argument("mesh '" + kind + "': one of uniform graded alternating random moving moving-random");
-}
-
-double cpu_seconds() {
-  timespec t;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
-int order_of(Predictor p) { return p == Predictor::godunov ? 1 : p == Predictor::parabolic ? 3 : 2; }
-char const* name_of(Predictor p) {
-  switch (p) {
-    case Predictor::godunov:
-      return "godunov";
-    case Predictor::linear:
-      return "linear";
-    case Predictor::parabolic:
-      return "parabolic";
-    case Predictor::muscl:
-      return "muscl";
-  }
-  return "";
-}
-char const* name_of(Switch s) {
-  switch (s) {
-    case Switch::off:
-      return "off";
-    case Switch::literal:
-      return "literal";
-    case Switch::binary:
-      return "binary";
-    case Switch::graded:
-      return "graded";
-  }
-  return "";
 }
 
 GasState<> primitive_of(AnyEos const& eos, GasConserved<> const& q) {
@@ -178,10 +144,10 @@ CaseResult run_problem(std::string const& name, int cells, LineProblem problem, 
   CaseResult r;
   r.cpu_s = cpu_seconds() - cpu_start;
   r.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
-  r.name = name, r.cells = n, r.time = line.time();
+  r.name = name, r.cells = n, r.grid = {n, 1, 1}, r.time = line.time();
   r.order = order_of(o.predictor), r.scheme = name_of(o.predictor), r.monotonicity = name_of(o.monotonicity);
   r.mesh = mesh, r.eos = eos_name(problem.eos);
-  r.counters = line.counters(), r.ledger = line.ledger();
+  static_cast<GasCounters&>(r.counters) = line.counters(), r.ledger = line.ledger();
   for (std::size_t i = 0; i < line.cells(); ++i) r.x.push_back(0.5 * (line.faces()[i] + line.faces()[i + 1]));
   r.rho.assign(line.density().begin(), line.density().end());
   r.u.assign(line.velocity().begin(), line.velocity().end());
