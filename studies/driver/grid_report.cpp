@@ -31,7 +31,7 @@ Table saved_table(Scene const& scene, SceneResult const& result) {
                           {"line until", "us"},
                           {"ended by", "1"},
                           {"line steps", "1"},
-                          {"grid steps instead", "1"},
+                          {"grid steps spared, at least", "1"},
                           {"work saved", "factor"}},
               .rows = {},
               .facts = {}};

@@ -205,7 +205,8 @@ class GridSimulation {
     map_now();
     phase.time = line.time();
     phase.steps = static_cast<double>(line.counters().steps);
-    phase.grid_steps = phase.steps * line.stable_dt() / grid_.stable_dt();
+    // At least: steps go with the cells, and the grid's CFL condition counts every direction.
+    phase.grid_steps = phase.steps * (line.faces()[1] - line.faces()[0]) / widest(plan_.setup);
     phase.wall_s = seconds_since(began);
     return true;
   }

@@ -42,7 +42,7 @@ struct LinePhase {
   std::string ended_by;            ///< "time", "radius", "obstacle", "end"; empty: there was none
   double time = 0, radius = 0;     ///< s, m: when and where the wave was mapped
   double cells = 0, steps = 0;     ///< of the line
-  double grid_steps = 0;           ///< that the grid would have made meanwhile
+  double grid_steps = 0;           ///< that the grid would have made meanwhile, at least
   double wall_s = 0, missing = 0;  ///< what the mapping corrected, relative
 };
 

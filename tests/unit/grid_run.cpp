@@ -58,7 +58,8 @@ g27::Scene read(Folder const& folder, std::vector<std::string> const& set = {}) 
   return g27::read_scene(folder.path / "scene.toml", set);
 }
 
-/// Runs to the end, stopping after every `steps` steps (0: never) to go through the file.
+/// Runs to the end, stopping after every `steps` steps of the grid (0: never) to go through the file: the line of a
+/// first phase is never stopped, since it would start over.
 g27::RunRecord run_in_pieces(g27::Scene const& scene, fs::path const& file, int steps) {
   g27::SceneRun const& run = scene.runs.at(0);
   g27::RunRecord record(run);
@@ -70,7 +71,7 @@ g27::RunRecord run_in_pieces(g27::Scene const& scene, fs::path const& file, int 
         .checkpoint = [](g27::RunRecord const&) {},
         .checkpoint_s = 1e9,
         .snapshot = [&](std::size_t i, g27::GridSnapshot const& s) { g27::write_grid_state(file, run, i, s); },
-        .interrupted = [&] { return steps > 0 && --left <= 0; }};
+        .interrupted = [&] { return steps > 0 && record.grid->begun && --left <= 0; }};
     g27::simulate(run, record, hooks);
     g27::write_run(file, scene, run, record, 1);
     record = g27::read_run(file, scene, run);
@@ -94,7 +95,9 @@ void check_same_files(fs::path const& a, fs::path const& b, std::vector<std::str
       continue;
     }
     INFO(column);
-    CHECK(x.read("/history/" + column) == y.read("/history/" + column));
+    auto const u = x.read("/history/" + column), v = y.read("/history/" + column);
+    CHECK(std::equal(u.begin(), u.end(), v.begin(), v.end(),
+                     [](double l, double r) { return l == r || (std::isnan(l) && std::isnan(r)); }));
   }
   CHECK(x.read("/history/probe/mid/pressure") == y.read("/history/probe/mid/pressure"));
 }
@@ -146,12 +149,12 @@ TEST_CASE("resuming on a grid changes no bit", "[grid-run]") {
 
 TEST_CASE("skipping uniform tiles changes no bit", "[grid-run]") {
   Folder const folder;
-  g27::RunRecord const on = run_in_pieces(read(folder), folder.path / "a.h5", 0);
-  g27::RunRecord const off = run_in_pieces(read(folder, {"skip=off"}), folder.path / "b.h5", 0);
+  g27::RunRecord const on = run_in_pieces(read(folder, {"time.end=0.1 s"}), folder.path / "a.h5", 0);
+  g27::RunRecord const off = run_in_pieces(read(folder, {"time.end=0.1 s", "skip=off"}), folder.path / "b.h5", 0);
   check_same_files(folder.path / "a.h5", folder.path / "b.h5", {"active_share", "stored_share"});
   CHECK(off.grid->restart.counters.cells_skipped == 0);
   g27::Saved const saved = g27::saved_by(*on.grid);
-  CHECK(saved.skipped_share > 0.2);
+  CHECK(saved.skipped_share > 0.1);
   CHECK(saved.factor == Approx(1 / (1 - saved.skipped_share)));
 }
 
