@@ -47,6 +47,13 @@ int side_of(GridBox const& box, Vec3 const& centre, std::size_t axis) {
   return std::fabs(centre[axis] - box.upper[axis]) <= slack ? 1 : 0;
 }
 
+/// Density and pressure margin are positive.
+bool admissible(AnyEos const& eos, GasConserved<> const& q) {
+  if (!(q.mass > 0)) return false;
+  double const e = (q.energy - 0.5 * q.momentum * q.momentum / q.mass) / q.mass;
+  return std::visit([&](auto const& law) { return law.pressure_margin(q.mass, law.pressure(q.mass, e)) > 0; }, eos);
+}
+
 int dimensions_of(GridBox const& box) { return box.cells[2] > 1 ? 3 : 2; }
 
 }  // namespace
@@ -120,6 +127,13 @@ LineToGrid::LineToGrid(GasLine const& line, Vec3 const& centre, GridBox const& b
                     after.centroid > s.centroid ? (after.mean.*q - s.mean.*q) / (after.centroid - s.centroid) : 0.0);
     };
     s.slope = {slope(&GasConserved<>::mass), slope(&GasConserved<>::momentum), slope(&GasConserved<>::energy)};
+    // Each within its neighbours' range, the three together may still make no state of the gas: then a constant does.
+    for (double const r : {faces_[i], faces_[i + 1]}) {
+      double const dr = r - s.centroid;
+      GasConserved<> const end{outer.mass + s.mean.mass + s.slope.mass * dr, s.mean.momentum + s.slope.momentum * dr,
+                               outer.energy + s.mean.energy + s.slope.energy * dr};
+      if (!admissible(line.setup().eos, end)) s.slope = {0, 0, 0};
+    }
   }
 
   // Exact integrals over the open angle: of a scalar, of the components of a radial vector.
