@@ -104,8 +104,10 @@ struct LinearPredictor {
       V const K_l = a.K + phi_0 * x_0 * d_K, K_r = b.K - phi_0r * (1.0 - x_0) * d_K;
       V const base_l = max(1.0 + exponent * (left.p - pz_l) / K_l, V(1e-3));
       V const base_r = max(1.0 + exponent * (right.p - pz_r) / K_r, V(1e-3));
-      out.left.rho = rho_l * pow(base_l, 1.0 / exponent);
-      out.right.rho = rho_r * pow(base_r, 1.0 / exponent);
+      // In a cold stream the pressures are next to nothing, their ratio anything: the cells bound the density.
+      V const most = 1.5 * max(a.rho, b.rho), least = (1.0 / 1.5) * min(a.rho, b.rho);
+      out.left.rho = max(min(rho_l * pow(base_l, 1.0 / exponent), max(most, rho_l)), min(least, rho_l));
+      out.right.rho = max(min(rho_r * pow(base_r, 1.0 / exponent), max(most, rho_r)), min(least, rho_r));
       if constexpr (single_foot) out.left.rho = rho_l, out.right.rho = rho_r;
     }
     return out;
