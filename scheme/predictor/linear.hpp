@@ -104,10 +104,14 @@ struct LinearPredictor {
       V const K_l = a.K + phi_0 * x_0 * d_K, K_r = b.K - phi_0r * (1.0 - x_0) * d_K;
       V const base_l = max(1.0 + exponent * (left.p - pz_l) / K_l, V(1e-3));
       V const base_r = max(1.0 + exponent * (right.p - pz_r) / K_r, V(1e-3));
-      // In a cold stream the pressures are next to nothing, their ratio anything: the cells bound the density.
-      V const most = 1.5 * max(a.rho, b.rho), least = (1.0 / 1.5) * min(a.rho, b.rho);
-      out.left.rho = max(min(rho_l * pow(base_l, 1.0 / exponent), max(most, rho_l)), min(least, rho_l));
-      out.right.rho = max(min(rho_r * pow(base_r, 1.0 / exponent), max(most, rho_r)), min(least, rho_r));
+      // In a cold stream the pressures are next to nothing and their ratio anything: what they add to the density stays
+      // within its own jump, but for what a weak wave may add.
+      V const bound = abs(d_rho) + 0.01 * rho;
+      auto const moved = [&](V from, V base) G27_INLINE_LAMBDA {
+        V const change = from * pow(base, 1.0 / exponent) - from;
+        return V(from + max(-bound, min(bound, change)));
+      };
+      out.left.rho = moved(rho_l, base_l), out.right.rho = moved(rho_r, base_r);
       if constexpr (single_foot) out.left.rho = rho_l, out.right.rho = rho_r;
     }
     return out;

@@ -100,11 +100,54 @@ GasGrid::Impl::Impl(GasGridSetup s)
     t.box = tiling.box(id);
     t.row = (t.box.size[0] + vector_cells - 1) / vector_cells * vector_cells;
     t.field = t.row * t.box.size[1] * t.box.size[2];
+    if (!setup.blocks.empty()) t.edges = block_edges(t.box);
     if (setup.options.maps) t.maps.assign(3 * t.cells(), 0.0f);
     for (std::size_t a = 0; a < 3; ++a) largest[a] = std::max(largest[a], t.box.size[a]);
     tiles.push_back(std::move(t));
   }
   for (int k = 0; k < setup.options.threads; ++k) works.push_back(std::make_unique<TileWork>(context, largest));
+}
+
+std::vector<Int3> GasGrid::Impl::block_edges(TileBox const& box) const {
+  std::vector<Int3> cells;
+  enum class What { gas, solid, outside };
+  auto const what = [&](Int3 cell) {
+    for (std::size_t a = 0; a < 3; ++a) {
+      if (cell[a] >= 0 && cell[a] < setup.cells[a]) continue;
+      if (setup.sides[2 * a].kind != GridBoundary::Kind::periodic) return What::outside;
+      cell[a] = (cell[a] + setup.cells[a]) % setup.cells[a];
+    }
+    return tiling.at(cell) < 0 ? What::solid : What::gas;
+  };
+  auto const moved = [](Int3 cell, std::size_t axis, int by) {
+    cell[axis] += by;
+    return cell;
+  };
+  // a block's cell that gas touches along two axes
+  auto const edge = [&](Int3 const& cell) {
+    if (what(cell) != What::solid) return false;
+    int axes = 0;
+    for (std::size_t a = 0; a < 3; ++a) {
+      bool const touched = what(moved(cell, a, -1)) == What::gas || what(moved(cell, a, 1)) == What::gas;
+      if (context.swept[a] && touched) ++axes;
+    }
+    return axes > 1;
+  };
+  std::array<int, 3> reach{};
+  for (std::size_t a = 0; a < 3; ++a) reach[a] = context.swept[a] ? context.halo - 1 : 0;
+  for (int k = -reach[2]; k < box.size[2] + reach[2]; ++k) {
+    for (int j = -reach[1]; j < box.size[1] + reach[1]; ++j) {
+      for (int i = -reach[0]; i < box.size[0] + reach[0]; ++i) {
+        Int3 const cell{box.first[0] + i, box.first[1] + j, box.first[2] + k};
+        bool beside = false;
+        for (std::size_t a = 0; a < 3; ++a) {
+          if (context.swept[a]) beside = beside || edge(moved(cell, a, -1)) || edge(moved(cell, a, 1));
+        }
+        if (beside && what(cell) == What::gas) cells.push_back({i, j, k});
+      }
+    }
+  }
+  return cells;
 }
 
 FiveDensities GasGrid::Impl::densities(GasTile const& t, std::ptrdiff_t i) const noexcept {

@@ -28,6 +28,8 @@ struct GasGrid::Impl {
   static GasGridSetup checked(GasGridSetup s);
   static Tiling tiling_of(GasGridSetup const& s);
   static GridContext context_of(Impl& impl);
+  /// Cells of the tile and of the layers around it that lie beside an edge of a solid block.
+  [[nodiscard]] std::vector<Int3> block_edges(TileBox const& box) const;
 
   /// Sets every cell from its mean; starts counters and ledger at t.
   void set(std::function<FiveDensities(Int3 const&)> const& mean, double t);

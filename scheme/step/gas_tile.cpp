@@ -137,6 +137,9 @@ void TileWork::sweep() {
       bool const inside_y = j >= 0 && j < ny_;
       if (!inside_y && !inside_z) continue;
       set_terms(j, k);
+      for (Int3 const& cell : tile_->edges) {
+        if (cell[1] == j && cell[2] == k) plain_cell(cell, y_slot(j), z_slot(j, k));
+      }
       if (inside_z && inside_y) x_faces(j, k);
       if (inside_z && two && j >= 0) y_faces(j, k);
       if (three && k >= 0 && inside_y) z_faces(j, k);
@@ -163,9 +166,6 @@ void TileWork::set_terms(int j, int k) {
     for (double*& v : r.vector) v -= lead;
     return r;
   };
-  std::size_t const plane = static_cast<std::size_t>(((k % 2) + 2) % 2) * static_cast<std::size_t>(ny_);
-  std::size_t const y_slot = static_cast<std::size_t>(((j % 2) + 2) % 2);
-  std::size_t const z_slot = plane + static_cast<std::size_t>(std::clamp(j, 0, ny_ - 1));
   bool const sourced = static_cast<bool>(g_.setup.source.primitive_rate);
   bool const terms = g_.predictor != PredictorKernel::godunov && g_.predictor != PredictorKernel::muscl &&
                      (o.transverse != Transverse::none || sourced);
@@ -191,10 +191,11 @@ void TileWork::set_terms(int j, int k) {
       m.lower[0] = from_first(x_edges_[0].out()), m.upper[0] = from_first(x_edges_[1].out());
     }
     if (inside_z && g_.swept[1]) {
-      m.lower[1] = from_first(y_edges_[y_slot][0].out()), m.upper[1] = from_first(y_edges_[y_slot][1].out());
+      m.lower[1] = from_first(y_edges_[y_slot(j)][0].out()), m.upper[1] = from_first(y_edges_[y_slot(j)][1].out());
     }
     if (inside_y && g_.swept[2]) {
-      m.lower[2] = from_first(z_edges_[z_slot][0].out()), m.upper[2] = from_first(z_edges_[z_slot][1].out());
+      m.lower[2] = from_first(z_edges_[z_slot(j, k)][0].out()),
+      m.upper[2] = from_first(z_edges_[z_slot(j, k)][1].out());
     }
     g_.kernels.predict->grid.muscl[d](m);
     return;
@@ -211,14 +212,40 @@ void TileWork::set_terms(int j, int k) {
                         .any = false};
   if (o.transverse == Transverse::none) t.half_dt_over_h = {0, 0, 0};
   if (inside_y && inside_z) t.term[0] = from_first(x_terms_.out());
-  if (inside_z && g_.swept[1]) t.term[1] = from_first(y_terms_[y_slot].out());
-  if (inside_y && g_.swept[2]) t.term[2] = from_first(z_terms_[z_slot].out());
+  if (inside_z && g_.swept[1]) t.term[1] = from_first(y_terms_[y_slot(j)].out());
+  if (inside_y && g_.swept[2]) t.term[2] = from_first(z_terms_[z_slot(j, k)].out());
   g_.kernels.predict->grid.transverse[d](t);
   any_cure_ = any_cure_ || t.any;
   if (sourced) {
     if (t.term[0].first != nullptr) add_sources(x_terms_, j, k);
-    if (t.term[1].first != nullptr) add_sources(y_terms_[y_slot], j, k);
-    if (t.term[2].first != nullptr) add_sources(z_terms_[z_slot], j, k);
+    if (t.term[1].first != nullptr) add_sources(y_terms_[y_slot(j)], j, k);
+    if (t.term[2].first != nullptr) add_sources(z_terms_[z_slot(j, k)], j, k);
+  }
+}
+
+void TileWork::plain_cell(Int3 const& cell, std::size_t y_slot, std::size_t z_slot) {
+  auto const [i, j, k] = cell;
+  bool const inside_y = j >= 0 && j < ny_, inside_z = k >= 0 && k < nz_;
+  std::ptrdiff_t const at = origin_ + index(i, j, k);
+  if (!cure_.empty()) cure_[static_cast<std::size_t>(at)] = 0.0;
+  auto const clear = [&](TermRow& t) {
+    t.rho[i] = t.p[i] = 0.0;
+    for (Padded& u : t.u) u[i] = 0.0;
+  };
+  auto const flatten = [&](std::array<TermRow, 2>& both) {
+    for (TermRow& t : both) {
+      t.rho[i] = rho_[at], t.p[i] = p_[at];
+      for (std::size_t a = 0; a < 3; ++a) t.u[a][i] = u_[a][at];
+    }
+  };
+  if (g_.predictor == PredictorKernel::muscl) {
+    if (inside_y && inside_z) flatten(x_edges_);
+    if (inside_z && g_.swept[1]) flatten(y_edges_[y_slot]);
+    if (inside_y && g_.swept[2]) flatten(z_edges_[z_slot]);
+  } else {
+    if (inside_y && inside_z) clear(x_terms_);
+    if (inside_z && g_.swept[1]) clear(y_terms_[y_slot]);
+    if (inside_y && g_.swept[2]) clear(z_terms_[z_slot]);
   }
 }
 

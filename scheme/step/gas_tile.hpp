@@ -24,8 +24,9 @@ struct GasTile {
   std::ptrdiff_t field = 0;  ///< doubles from one density to the next
   bool uniform = false;      ///< all cells hold `state`
   FiveDensities state{};
-  CacheLineVector now, next;        ///< empty: not stored
-  std::vector<float> maps;          ///< steps in which switch, cure and repair acted, [3][cells]; empty: not wanted
+  std::vector<Int3> edges;    ///< cells beside the edges of solid blocks, one around the tile included (see plain_cell)
+  CacheLineVector now, next;  ///< empty: not stored
+  std::vector<float> maps;    ///< steps in which switch, cure and repair acted, [3][cells]; empty: not wanted
   std::vector<unsigned char> redo;  ///< cells whose faces are redone at first order in this step; empty: none
 
   /// Results of a step.
@@ -117,7 +118,7 @@ class TileWork {
   /// Ghosts of the planes [k0, k1) beyond the box and in solid blocks, from the cells beside them, `depth` deep; means
   /// of the primitives when `means`, else the primitives themselves.
   void fill_outside(int k0, int k1, int depth, bool means);
-  void fill_region(Int3 const& region, int axis, int k0, int k1, int depth, bool means);
+  void fill_region(Int3 const& region, std::array<bool, 3> const& across, int k0, int k1, int depth, bool means);
   void set_inflow(GridBoundary const& condition, std::ptrdiff_t i, Int3 const& cell);
   void average_plane(int k);
   [[nodiscard]] TileId beside(Int3 const& direction) const noexcept { return g_.tiling.beside(id_, direction); }
@@ -129,6 +130,16 @@ class TileWork {
   void sweep();
   void set_terms(int j, int k);
   void add_sources(TermRow& term, int j, int k) const;
+  /// Cells beside an edge of a solid block have ghosts that depend on the side from which they are seen: two tiles
+  /// would not agree on what crosses their common face. There nothing is taken from across: no transverse term, no
+  /// cure, no slope of MUSCL, no correction of the averages.
+  void plain_cell(Int3 const& cell, std::size_t y_slot, std::size_t z_slot);
+  /// Where the rows of an odd or even j, and of an odd or even k, are kept.
+  [[nodiscard]] static std::size_t y_slot(int j) noexcept { return static_cast<std::size_t>(((j % 2) + 2) % 2); }
+  [[nodiscard]] std::size_t z_slot(int j, int k) const noexcept {
+    int const row = j < 0 ? 0 : j >= ny_ ? ny_ - 1 : j;
+    return y_slot(k) * static_cast<std::size_t>(ny_) + static_cast<std::size_t>(row);
+  }
   void x_faces(int j, int k);
   void y_faces(int j, int k);
   void z_faces(int j, int k);

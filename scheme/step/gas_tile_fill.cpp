@@ -150,30 +150,26 @@ void TileWork::fill_outside(int k0, int k1, int depth, bool means) {
         for (int dx = -1; dx <= 1; ++dx) {
           Int3 const d{dx, dy, dz};
           if (std::abs(dx) + std::abs(dy) + std::abs(dz) != order || beside(d) >= 0) continue;
-          int axis = -1;
-          bool exists = true;
-          for (int a = 0; a < 3; ++a) {
-            std::size_t const s = static_cast<std::size_t>(a);
-            if (d[s] == 0) continue;
-            exists = exists && halo_[s] > 0;
+          // the axes across which gas lies; where there is none, any: those cells are filled already
+          std::array<bool, 3> across{};
+          bool exists = true, found = false;
+          for (std::size_t a = 0; a < 3; ++a) {
+            if (d[a] == 0) continue;
+            exists = exists && halo_[a] > 0;
             Int3 from = d;
-            from[s] = 0;
-            if (axis < 0 || (beside(from) >= 0 && [&] {
-                  Int3 chosen = d;
-                  chosen[static_cast<std::size_t>(axis)] = 0;
-                  return beside(chosen) < 0;
-                }())) {
-              axis = a;
-            }
+            from[a] = 0;
+            across[a] = beside(from) >= 0, found = found || across[a];
           }
-          if (exists) fill_region(d, axis, k0, k1, depth, means);
+          for (std::size_t a = 0; a < 3 && !found; ++a) across[a] = d[a] != 0, found = across[a];
+          if (exists) fill_region(d, across, k0, k1, depth, means);
         }
       }
     }
   }
 }
 
-void TileWork::fill_region(Int3 const& region, int axis, int k0, int k1, int depth, bool means) {
+void TileWork::fill_region(Int3 const& region, std::array<bool, 3> const& across, int k0, int k1, int depth,
+                           bool means) {
   using Kind = GridBoundary::Kind;
   Int3 const size{nx_, ny_, nz_};
   Int3 begin{}, end{};
@@ -183,16 +179,22 @@ void TileWork::fill_region(Int3 const& region, int axis, int k0, int k1, int dep
     end[a] = region[a] < 0 ? 0 : region[a] == 0 ? size[a] : size[a] + H;
   }
   begin[2] = std::max(begin[2], k0), end[2] = std::min(end[2], k1);
-  std::size_t const s = static_cast<std::size_t>(axis);
-  bool const low = region[s] < 0;
-  Side const side = static_cast<Side>(2 * axis + (low ? 0 : 1));
-  bool const at_box =
-      g_.tiling.at_side(id_, axis, region[s]) && g_.setup.sides[static_cast<std::size_t>(side)].kind != Kind::periodic;
   static GridBoundary const block{.kind = Kind::wall, .state = {}};
   for (int k = begin[2]; k < end[2]; ++k) {
     for (int j = begin[1]; j < end[1]; ++j) {
       for (int i = begin[0]; i < end[0]; ++i) {
         Int3 const cell{i, j, k};
+        // In the corner of a block the nearest gas is that which sees this ghost: the axis of the least depth.
+        std::size_t s = 3;
+        int least = 0;
+        for (std::size_t a = 0; a < 3; ++a) {
+          int const down = region[a] < 0 ? -1 - cell[a] : cell[a] - size[a];
+          if (across[a] && (s == 3 || down < least)) s = a, least = down;
+        }
+        bool const low = region[s] < 0;
+        Side const side = static_cast<Side>(2 * s + (low ? 0 : 1));
+        bool const at_box = g_.tiling.at_side(id_, static_cast<int>(s), region[s]) &&
+                            g_.setup.sides[static_cast<std::size_t>(side)].kind != Kind::periodic;
         GridBoundary const& c = at_box ? g_.condition(side, centre(cell)) : block;
         std::ptrdiff_t const to = origin_ + index(i, j, k);
         if (c.kind == Kind::inflow) {
@@ -270,6 +272,12 @@ void TileWork::average_plane(int k) {
          .velocity = {mean_u_[0].data() + i, mean_u_[1].data() + i, mean_u_[2].data() + i},
          .p = mean_p_.data() + i,
          .dK_dp = dK_dp_.data() + i});
+  }
+  for (Int3 const& cell : tile_->edges) {
+    if (cell[2] != k) continue;
+    std::ptrdiff_t const i = origin_ + index(cell[0], cell[1], k);
+    for (std::size_t a = 0; a < 3; ++a) mean_u_[a][i] = u_[a][i];
+    mean_p_[i] = p_[i];
   }
 }
 
