@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <experimental/simd>
+#include <utility>
 
 #define G27_INLINE [[gnu::always_inline]] inline
 /// For lambdas: `auto f = [&](V x) G27_INLINE_LAMBDA { ... };`
@@ -146,6 +147,13 @@ G27_INLINE double lane(V a, std::size_t i) noexcept {
   } else {
     return a[i];
   }
+}
+
+/// f(0), f(1), ..., f(n - 1) with constants: small arrays of lanes indexed by them stay in registers.
+template <int n, class F>
+G27_INLINE void unrolled(F const& f) noexcept {
+  [&]<int... k>(std::integer_sequence<int, k...>) G27_INLINE_LAMBDA { (f(std::integral_constant<int, k>{}), ...); }
+  (std::make_integer_sequence<int, n>{});
 }
 
 }  // namespace g27

@@ -16,51 +16,66 @@ inline constexpr double cure_alignment = 0.2;  ///< transverse over normal press
 /// (for an ideal gas: more than the least pressure), the velocity along it decreases, and the pressure differences
 /// along the other axes are small beside it, but not zero: a flow of one dimension has nothing to cure.
 template <int dims, Lane V>
+G27_INLINE V shock_flag(RowIn const& primitive, double const* K, std::array<std::ptrdiff_t, 3> const& stride,
+                        std::ptrdiff_t i) noexcept {
+  V const p = load<V>(primitive.last + i), rho = load<V>(primitive.first + i), K_here = load<V>(K + i);
+  V most[dims], waves[dims];
+  Mask<V> shock[dims], strong(false);
+#pragma GCC unroll 3
+  for (int a = 0; a < dims; ++a) {
+    std::ptrdiff_t const s = stride[static_cast<std::size_t>(a)];
+    V const below = load<V>(primitive.last + i - s), above = load<V>(primitive.last + i + s);
+    V const K_least = min(K_here, min(load<V>(K + i - s), load<V>(K + i + s)));
+    V const change = max(p, max(below, above)) - min(p, min(below, above));
+    most[a] = abs(above - below), waves[a] = abs(above - p) + abs(p - below);
+    shock[a] = change > parabolic::shock_pressure * K_least;
+    strong = strong || shock[a];
+  }
+  V flag(0.0);
+  if (!any(strong)) return flag;
+#pragma GCC unroll 3
+  for (int a = 0; a < dims; ++a) {
+    std::ptrdiff_t const s = stride[static_cast<std::size_t>(a)];
+    waves[a] += abs(load<V>(primitive.first + i + s) - rho) + abs(rho - load<V>(primitive.first + i - s));
+#pragma GCC unroll 3
+    for (int c = 0; c < dims; ++c) {
+      double const* const u = primitive.vector[c] + i;
+      waves[a] += abs(load<V>(u + s) - load<V>(u)) + abs(load<V>(u) - load<V>(u - s));
+    }
+  }
+#pragma GCC unroll 3
+  for (int a = 0; a < dims; ++a) {
+    double const* const u = primitive.vector[a] + i;
+    std::ptrdiff_t const s = stride[static_cast<std::size_t>(a)];
+    Mask<V> in_shock = shock[a] && load<V>(u + s) < load<V>(u - s), disturbed(false);
+#pragma GCC unroll 3
+    for (int b = 0; b < dims; ++b) {
+      if (b == a) continue;
+      in_shock = in_shock && most[b] <= cure_alignment * most[a];
+      disturbed = disturbed || waves[b] > 0.0;
+    }
+    flag = select(in_shock && disturbed, V(1.0), flag);
+  }
+  return flag;
+}
+
+/// Whether a lane of the row, not beyond it, is flagged.
+template <Lane V>
+G27_INLINE bool flagged(V flag, std::ptrdiff_t i, std::ptrdiff_t n) noexcept {
+  bool found = false;
+  for (std::size_t k = 0; k < width<V> && i + static_cast<std::ptrdiff_t>(k) < n; ++k) {
+    found = found || lane(flag, k) > 0.0;
+  }
+  return found;
+}
+
+template <int dims, Lane V>
 void shock_flags(ShockFlagArguments& g) noexcept {
   std::ptrdiff_t const n = static_cast<std::ptrdiff_t>(g.cells);
   g.any = false;
   for (std::ptrdiff_t i = 0; i < n; i += static_cast<std::ptrdiff_t>(width<V>)) {
-    V const p = load<V>(g.primitive.last + i), rho = load<V>(g.primitive.first + i);
-    V below[dims], above[dims];
-    Mask<V> strong(false);
-    for (int a = 0; a < dims; ++a) {
-      std::ptrdiff_t const s = g.stride[static_cast<std::size_t>(a)];
-      below[a] = load<V>(g.primitive.last + i - s), above[a] = load<V>(g.primitive.last + i + s);
-      V const K_least = min(load<V>(g.K + i), min(load<V>(g.K + i - s), load<V>(g.K + i + s)));
-      V const change = max(p, max(below[a], above[a])) - min(p, min(below[a], above[a]));
-      strong = strong || change > parabolic::shock_pressure * K_least;
-    }
-    V flag(0.0);
-    if (any(strong)) {
-      V most[dims], waves[dims];
-      for (int a = 0; a < dims; ++a) {
-        std::ptrdiff_t const s = g.stride[static_cast<std::size_t>(a)];
-        most[a] = abs(above[a] - below[a]);
-        waves[a] = abs(above[a] - p) + abs(p - below[a]) + abs(load<V>(g.primitive.first + i + s) - rho) +
-                   abs(rho - load<V>(g.primitive.first + i - s));
-        for (int c = 0; c < dims; ++c) {
-          V const u = load<V>(g.primitive.vector[c] + i);
-          waves[a] += abs(load<V>(g.primitive.vector[c] + i + s) - u) + abs(u - load<V>(g.primitive.vector[c] + i - s));
-        }
-      }
-      for (int a = 0; a < dims; ++a) {
-        std::ptrdiff_t const s = g.stride[static_cast<std::size_t>(a)];
-        V const K_least = min(load<V>(g.K + i), min(load<V>(g.K + i - s), load<V>(g.K + i + s)));
-        V const change = max(p, max(below[a], above[a])) - min(p, min(below[a], above[a]));
-        Mask<V> in_shock = change > parabolic::shock_pressure * K_least &&
-                           load<V>(g.primitive.vector[a] + i + s) < load<V>(g.primitive.vector[a] + i - s);
-        Mask<V> disturbed(false);
-        for (int b = 0; b < dims; ++b) {
-          if (b == a) continue;
-          in_shock = in_shock && most[b] <= cure_alignment * most[a];
-          disturbed = disturbed || waves[b] > 0.0;
-        }
-        flag = select(in_shock && disturbed, V(1.0), flag);
-      }
-      for (std::size_t k = 0; k < width<V> && i + static_cast<std::ptrdiff_t>(k) < n; ++k) {
-        g.any = g.any || lane(flag, k) > 0.0;
-      }
-    }
+    V const flag = shock_flag<dims, V>(g.primitive, g.K, g.stride, i);
+    if (any(flag > 0.0)) g.any = g.any || flagged(flag, i, n);
     store(g.flag + i, flag);
   }
 }
@@ -77,6 +92,7 @@ void hlle(HlleArguments const& g) noexcept {
     auto const side = [&](std::ptrdiff_t i, V& rho, V* u, V& p, V& c2, V& energy) G27_INLINE_LAMBDA {
       rho = load<V>(g.primitive.first + i), p = load<V>(g.primitive.last + i);
       V kinetic(0.0);
+#pragma GCC unroll 3
       for (int c = 0; c < dims; ++c) u[c] = load<V>(g.primitive.vector[c] + i), kinetic += u[c] * u[c];
       c2 = eos.bulk_modulus(rho, p) / rho;
       energy = rho * (eos.energy(rho, p) + 0.5 * kinetic);
@@ -99,6 +115,7 @@ void hlle(HlleArguments const& g) noexcept {
     V const m_l = rho_l * n_l, m_r = rho_r * n_r;
     put(g.flux.first, flux(m_l, m_r, rho_l, rho_r));
     put(g.flux.last, flux(V((e_l + p_l) * n_l), V((e_r + p_r) * n_r), e_l, e_r));
+#pragma GCC unroll 3
     for (int c = 0; c < dims; ++c) {
       V const push_l = c == axis ? V(m_l * u_l[c] + p_l) : V(m_l * u_l[c]);
       V const push_r = c == axis ? V(m_r * u_r[c] + p_r) : V(m_r * u_r[c]);

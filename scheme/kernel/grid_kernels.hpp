@@ -40,7 +40,9 @@ struct GridAverageArguments {
   double *p, *dK_dp;    ///< out
 };
 
-/// Half-step terms of the transverse derivatives, T_x = -(dt/2)(B W_y + C W_z) and so on. Slopes are central where the
+/// Half-step terms of the transverse derivatives and, since the differences are at hand, flags of shocks.
+///
+/// Terms, T_x = -(dt/2)(B W_y + C W_z) and so on. Slopes are central where the
 /// data are smooth, else limited (monotonized central, van Leer 1977). Where a term would leave less than a fifth of
 /// the density or of the pressure margin it is zero.
 struct TransverseArguments {
@@ -50,6 +52,8 @@ struct TransverseArguments {
   std::array<std::ptrdiff_t, 3> stride;
   std::array<double, 3> half_dt_over_h;
   std::array<RowOut, 3> term;  ///< out, for the faces across each axis; null where not wanted
+  double* flag;                ///< out, as of ShockFlagArguments; null: not wanted
+  bool any;                    ///< out
 };
 
 /// Velocities along the face, carried with the contact; adds their flux and their part of the energy's.
@@ -86,11 +90,12 @@ struct HlleArguments {
   RowOut flux;
 };
 
-/// to = from - lambda (flux[upper] - flux[lower]); all rows of the same cells. Without z: two dimensions.
+/// to = from - lambda (upper - lower) for the fluxes of one or of two axes, in this order.
 struct GridUpdateArguments {
-  std::size_t cells;
-  RowIn from, lower, upper;
-  double lambda;
+  std::size_t cells, axes;
+  RowIn from;
+  std::array<RowIn, 2> lower, upper;
+  std::array<double, 2> lambda;
   RowOut to;
 };
 
@@ -137,7 +142,7 @@ struct GridEosKernels {
 /// What does not.
 struct GridLoops {
   using Tangential = void (*)(TangentialArguments const&);
-  std::array<void (*)(TransverseArguments const&), 2> transverse;
+  std::array<void (*)(TransverseArguments&), 2> transverse;
   std::array<void (*)(ShockFlagArguments&), 2> shock_flags;
   std::array<void (*)(GridUpdateArguments const&), 2> update;
   std::array<void (*)(GridMusclArguments const&), 2> muscl;

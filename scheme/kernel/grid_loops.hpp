@@ -14,11 +14,14 @@ void grid_primitive(GridPrimitiveArguments const& g) noexcept {
   for (std::size_t i = 0; i < g.cells; i += width<V>) {
     V const rho = load<V>(g.conserved.first + i);
     V u[dims];
+#pragma GCC unroll 3
     for (int a = 0; a < dims; ++a) u[a] = load<V>(g.conserved.vector[a] + i) / rho;
     V e = load<V>(g.conserved.last + i) / rho - 0.5 * u[0] * u[0];
+#pragma GCC unroll 3
     for (int a = 1; a < dims; ++a) e -= 0.5 * u[a] * u[a];
     V const p = eos.pressure(rho, e);
     store(g.primitive.first + i, rho), store(g.primitive.last + i, p);
+#pragma GCC unroll 3
     for (int a = 0; a < dims; ++a) store(g.primitive.vector[a] + i, u[a]);
     store(g.K + i, eos.bulk_modulus(rho, p)), store(g.margin + i, eos.pressure_margin(rho, p));
   }
@@ -32,9 +35,11 @@ void grid_average(GridAverageArguments const& g) noexcept {
   for (std::ptrdiff_t i = 0; i < n; i += static_cast<std::ptrdiff_t>(width<V>)) {
     V const rho = load<V>(g.primitive.first + i), p = load<V>(g.primitive.last + i), K = load<V>(g.K + i);
     V u[dims], moved[dims];
+#pragma GCC unroll 3
     for (int a = 0; a < dims; ++a) u[a] = load<V>(g.primitive.vector[a] + i), moved[a] = V(0.0);
     Mask<V> smooth(true);
     V bend(0.0);
+#pragma GCC unroll 3
     for (int a = 0; a < dims; ++a) {
       std::ptrdiff_t const s = g.stride[static_cast<std::size_t>(a)];
       auto const sides = [&](double const* q, V centre, V& left, V& right) G27_INLINE_LAMBDA {
@@ -45,6 +50,7 @@ void grid_average(GridAverageArguments const& g) noexcept {
       smooth = smooth && max(abs(r_l), abs(r_r)) <= smooth_share * rho && max(abs(p_l), abs(p_r)) <= smooth_share * K;
       V const d_rho = 0.5 * (r_l + r_r), d_p = 0.5 * (p_l + p_r);
       V along(0.0), across(0.0);
+#pragma GCC unroll 3
       for (int c = 0; c < dims; ++c) {
         sides(g.primitive.vector[c], u[c], u_l, u_r);
         V const most = max(abs(u_l), abs(u_r));
@@ -63,22 +69,36 @@ void grid_average(GridAverageArguments const& g) noexcept {
     }
     store(g.dK_dp + i, V(2.0 * eos.fundamental_derivative(rho, p) - 1.0));
     store(g.p + i, select(smooth, V(p - eos.gruneisen(rho) * bend * (1.0 / 24.0)), p));
+#pragma GCC unroll 3
     for (int a = 0; a < dims; ++a) store(g.velocity[a] + i, select(smooth, V(u[a] - moved[a] / (12.0 * rho)), u[a]));
+  }
+}
+
+template <int dims, int axes, Lane V>
+G27_INLINE void grid_update_by(GridUpdateArguments const& g) noexcept {
+  for (std::size_t i = 0; i < g.cells; i += width<V>) {
+    auto const one = [&](auto const& row_of) G27_INLINE_LAMBDA {
+      V q = load<V>(row_of(g.from) + i);
+      for (std::size_t a = 0; a < axes; ++a) {
+        V const lambda(g.lambda[a]);
+        q -= lambda * V(load<V>(row_of(g.upper[a]) + i) - load<V>(row_of(g.lower[a]) + i));
+      }
+      store(row_of(g.to) + i, q);
+    };
+    one([](auto const& r) G27_INLINE_LAMBDA { return r.first; });
+    one([](auto const& r) G27_INLINE_LAMBDA { return r.vector[0]; });
+    one([](auto const& r) G27_INLINE_LAMBDA { return r.vector[1]; });
+    if constexpr (dims == 3) one([](auto const& r) G27_INLINE_LAMBDA { return r.vector[2]; });
+    one([](auto const& r) G27_INLINE_LAMBDA { return r.last; });
   }
 }
 
 template <int dims, Lane V>
 void grid_update(GridUpdateArguments const& g) noexcept {
-  V const lambda(g.lambda);
-  for (std::size_t i = 0; i < g.cells; i += width<V>) {
-    auto const one = [&](double const* from, double const* lower, double const* upper, double* to) G27_INLINE_LAMBDA {
-      V q = load<V>(from + i);
-      q -= lambda * V(load<V>(upper + i) - load<V>(lower + i));
-      store(to + i, q);
-    };
-    one(g.from.first, g.lower.first, g.upper.first, g.to.first);
-    for (int a = 0; a < dims; ++a) one(g.from.vector[a], g.lower.vector[a], g.upper.vector[a], g.to.vector[a]);
-    one(g.from.last, g.lower.last, g.upper.last, g.to.last);
+  if (g.axes == 1) {
+    grid_update_by<dims, 1, V>(g);
+  } else {
+    grid_update_by<dims, 2, V>(g);
   }
 }
 
@@ -90,14 +110,17 @@ void grid_finish(GridFinishArguments& g) noexcept {
   for (std::size_t i = 0; i < g.cells; i += width<V>) {
     V const mass = load<V>(g.conserved.first + i), energy = load<V>(g.conserved.last + i);
     V u[dims];
+#pragma GCC unroll 3
     for (int a = 0; a < dims; ++a) u[a] = load<V>(g.conserved.vector[a] + i) / mass;
     V e = energy / mass - 0.5 * u[0] * u[0];
+#pragma GCC unroll 3
     for (int a = 1; a < dims; ++a) e -= 0.5 * u[a] * u[a];
     V const p = eos.pressure(mass, e), K = eos.bulk_modulus(mass, p), margin = eos.pressure_margin(mass, p);
     V const share = min(mass / load<V>(g.rho_old + i), margin / load<V>(g.margin_old + i));
     V const safe = select(share > 0.0 && share < 1e300, share, V(-1.0));
     V const c = sqrt(V(K / mass));
     V speed(0.0);
+#pragma GCC unroll 3
     for (int a = 0; a < dims; ++a) {
       V const one = (abs(u[a]) + c) * g.inv_h[static_cast<std::size_t>(a)];
       speed = g.max_rule ? max(speed, one) : V(speed + one);
@@ -106,6 +129,7 @@ void grid_finish(GridFinishArguments& g) noexcept {
       worst = min(worst, safe), rate = max(rate, speed);
       if (!differs) {
         Mask<V> same = mass == g.like[0] && energy == g.like[4];
+#pragma GCC unroll 3
         for (int a = 0; a < dims; ++a) same = same && load<V>(g.conserved.vector[a] + i) == g.like[1 + a];
         differs = !all(same);
       }
@@ -113,6 +137,7 @@ void grid_finish(GridFinishArguments& g) noexcept {
       for (std::size_t k = 0; i + k < g.cells; ++k) {
         worst = min(worst, V(lane(safe, k))), rate = max(rate, V(lane(speed, k)));
         differs = differs || g.conserved.first[i + k] != g.like[0] || g.conserved.last[i + k] != g.like[4];
+#pragma GCC unroll 3
         for (int a = 0; a < dims; ++a) differs = differs || g.conserved.vector[a][i + k] != g.like[1 + a];
       }
     }

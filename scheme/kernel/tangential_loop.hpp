@@ -11,8 +11,8 @@ G27_INLINE V carried(V mass, V left, V right) noexcept {
   return select(mass >= 0.0, left, right);
 }
 
-template <class Kind, Lane V>
-void tangential(TangentialArguments const& g) noexcept {
+template <class Kind, int fields, Lane V>
+G27_INLINE void tangential_fields(TangentialArguments const& g) noexcept {
   std::ptrdiff_t const n = static_cast<std::ptrdiff_t>(g.faces), s = g.stride;
   // lengths in units of two cells
   V const h(0.5), pair(1.0), triple(1.0 / 1.5), dt(0.5 * g.dt / g.h);
@@ -28,7 +28,7 @@ void tangential(TangentialArguments const& g) noexcept {
     path.K = load<V>(g.K + f) + load<V>(g.K + f + s), path.rho = load<V>(g.rho + f) + load<V>(g.rho + f + s);
     V const mass = load<V>(g.f_mass + f);
     V energy = load<V>(g.f_energy + f);
-    for (std::size_t k = 0; k < g.fields; ++k) {
+    unrolled<fields>([&](auto k) G27_INLINE_LAMBDA {
       double const* const q = g.velocity[k];
       V const z = load<V>(q + f - s), a = load<V>(q + f), b = load<V>(q + f + s), y = load<V>(q + f + 2 * s);
       TwoSides<V> t;
@@ -47,8 +47,17 @@ void tangential(TangentialArguments const& g) noexcept {
       V const v = carried(mass, t.left, t.right);
       store(g.f_velocity[k] + f, V(mass * v));
       energy += 0.5 * mass * v * v;
-    }
+    });
     store(g.f_energy + f, energy);
+  }
+}
+
+template <class Kind, Lane V>
+void tangential(TangentialArguments const& g) noexcept {
+  if (g.fields == 1) {
+    tangential_fields<Kind, 1, V>(g);
+  } else {
+    tangential_fields<Kind, 2, V>(g);
   }
 }
 

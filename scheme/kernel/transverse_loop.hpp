@@ -1,6 +1,7 @@
 #pragma once
 /// Transverse half-step terms of a row of cells.
 #include "riemann/base/lane.hpp"
+#include "scheme/kernel/carbuncle_loop.hpp"
 #include "scheme/kernel/grid_kernels.hpp"
 
 namespace g27 {
@@ -23,21 +24,24 @@ G27_INLINE V limited_difference(V below, V above, Mask<V> smooth) noexcept {
 }
 
 template <int dims, Lane V>
-void transverse(TransverseArguments const& g) noexcept {
+void transverse(TransverseArguments& g) noexcept {
+  g.any = false;
   std::ptrdiff_t const n = static_cast<std::ptrdiff_t>(g.cells);
+  double const* const u_row[3]{g.primitive.vector[0], g.primitive.vector[1], g.primitive.vector[2]};
   for (std::ptrdiff_t i = 0; i < n; i += static_cast<std::ptrdiff_t>(width<V>)) {
     V const rho = load<V>(g.primitive.first + i), p = load<V>(g.primitive.last + i), K = load<V>(g.K + i);
     V const margin = load<V>(g.margin + i), inv_rho = 1.0 / rho;
     V u[3];
-    for (int a = 0; a < dims; ++a) u[a] = load<V>(g.primitive.vector[a] + i);
+    unrolled<dims>([&](auto a) G27_INLINE_LAMBDA { u[a] = load<V>(u_row[a] + i); });
     V const most_rho = transverse_smooth * rho, most_p = transverse_smooth * K;
     V const most_u2 = (transverse_smooth * transverse_smooth) * K * inv_rho;
 
     // (dt/2) A W_x of every axis: density, velocities, pressure
     GridState<V> rate[dims];
-    for (int a = 0; a < dims; ++a) {
-      std::ptrdiff_t const s = g.stride[static_cast<std::size_t>(a)];
-      V const k(g.half_dt_over_h[static_cast<std::size_t>(a)]);
+    bool rough = false;
+    unrolled<dims>([&](auto a) G27_INLINE_LAMBDA {
+      std::ptrdiff_t const s = g.stride[a];
+      V const k(g.half_dt_over_h[a]);
       auto const sides = [&](double const* q, V centre, V& below, V& above) G27_INLINE_LAMBDA {
         below = centre - load<V>(q + i - s), above = load<V>(q + i + s) - centre;
       };
@@ -45,26 +49,33 @@ void transverse(TransverseArguments const& g) noexcept {
       sides(g.primitive.first, rho, r_b, r_a);
       sides(g.primitive.last, p, p_b, p_a);
       V u2(0.0);
-      for (int c = 0; c < dims; ++c) {
-        sides(g.primitive.vector[c], u[c], u_b[c], u_a[c]);
+      unrolled<dims>([&](auto c) G27_INLINE_LAMBDA {
+        sides(u_row[c], u[c], u_b[c], u_a[c]);
         u2 = max(u2, max(u_b[c] * u_b[c], u_a[c] * u_a[c]));
-      }
+      });
       Mask<V> const smooth = max(abs(r_b), abs(r_a)) <= most_rho && max(abs(p_b), abs(p_a)) <= most_p && u2 <= most_u2;
       V d_rho = 0.5 * (r_b + r_a), d_p = 0.5 * (p_b + p_a), d_u[3];
-      for (int c = 0; c < dims; ++c) d_u[c] = 0.5 * (u_b[c] + u_a[c]);
+      unrolled<dims>([&](auto c) G27_INLINE_LAMBDA { d_u[c] = 0.5 * (u_b[c] + u_a[c]); });
       if (!all(smooth)) {
+        rough = true;
         d_rho = limited_difference(r_b, r_a, smooth), d_p = limited_difference(p_b, p_a, smooth);
-        for (int c = 0; c < dims; ++c) d_u[c] = limited_difference(u_b[c], u_a[c], smooth);
+        unrolled<dims>([&](auto c) G27_INLINE_LAMBDA { d_u[c] = limited_difference(u_b[c], u_a[c], smooth); });
       }
       V const v = k * u[a], spread = k * d_u[a];
       rate[a].rho = v * d_rho + rho * spread;
       rate[a].p = v * d_p + K * spread;
-      for (int c = 0; c < dims; ++c) rate[a].u[c] = v * d_u[c];
+      unrolled<dims>([&](auto c) G27_INLINE_LAMBDA { rate[a].u[c] = v * d_u[c]; });
       rate[a].u[a] += k * d_p * inv_rho;
+    });
+    if (g.flag != nullptr) {
+      V flag(0.0);
+      if (rough) flag = shock_flag<dims, V>(g.primitive, g.K, g.stride, i);
+      store(g.flag + i, flag);
+      if (any(flag > 0.0)) g.any = g.any || flagged(flag, i, n);
     }
-    for (int a = 0; a < dims; ++a) {
-      RowOut const& out = g.term[static_cast<std::size_t>(a)];
-      if (out.first == nullptr) continue;
+    unrolled<dims>([&](auto a) G27_INLINE_LAMBDA {
+      RowOut const& out = g.term[a];
+      if (out.first == nullptr) return;
       GridState<V> t;
       if constexpr (dims == 2) {
         GridState<V> const& o = rate[1 - a];
@@ -74,11 +85,14 @@ void transverse(TransverseArguments const& g) noexcept {
         t = {-(o.rho + q.rho), {-(o.u[0] + q.u[0]), -(o.u[1] + q.u[1]), -(o.u[2] + q.u[2])}, -(o.p + q.p)};
       }
       Mask<V> const deep = rho + t.rho < transverse_least * rho || margin + t.p < transverse_least * margin;
-      V const zero(0.0);
-      store(out.first + i, select(deep, zero, t.rho));
-      store(out.last + i, select(deep, zero, t.p));
-      for (int c = 0; c < dims; ++c) store(out.vector[c] + i, select(deep, zero, t.u[c]));
-    }
+      if (any(deep)) {
+        V const zero(0.0);
+        t.rho = select(deep, zero, t.rho), t.p = select(deep, zero, t.p);
+        unrolled<dims>([&](auto c) G27_INLINE_LAMBDA { t.u[c] = select(deep, zero, t.u[c]); });
+      }
+      store(out.first + i, t.rho), store(out.last + i, t.p);
+      unrolled<dims>([&](auto c) G27_INLINE_LAMBDA { store(out.vector[c] + i, t.u[c]); });
+    });
   }
 }
 

@@ -18,7 +18,9 @@ struct LinearPredictor {
     V const x_f = s.h_a * s.pair_ab;  // the face between the centres, 0 at a, 1 at b
     V const d_rho = b.rho - a.rho, d_u = b.u - a.u, d_p = b.p - a.p, d_K = b.K - a.K;
     V const rho = a.rho + x_f * d_rho, u = a.u + x_f * d_u, K = a.K + x_f * d_K;
-    V const c2 = K / rho, c = sqrt(c2), Z = rho * c, inv_c2 = 1.0 / c2, inv_Z = 1.0 / Z, v = u - s.w;
+    // one division and one root that do not wait for each other
+    V const Z2 = rho * K, inv = 1.0 / Z2, Z = sqrt(Z2), inv_Z = inv * Z, c = Z * (inv * K), inv_c2 = rho * (inv * rho);
+    V const v = u - s.w;
 
     V phi_p(1.0), phi_m(1.0), phi_0(1.0), phi_0r(1.0);
     if constexpr (kind == Switch::literal) {

@@ -33,10 +33,8 @@ G27_INLINE V switch_value(Stencil<V> const& s, V A, V B, V C, Mask<V> forward, V
     } else {
       V phi;
       if constexpr (kind == Switch::graded) {
-        V const D = select(forward, A, C), product = D * B, square = B * B;
-        V const ratio = 2.0 * product / max(square, V(1e-300));
-        phi = max(zero, min(one, ratio));
-        phi = select(product <= 0.0, zero, phi);
+        V const D = select(forward, A, C), twice = 2.0 * D * B, square = B * B;
+        phi = max(zero, min(one, twice / max(square, V(1e-300))));
       } else {
         // a parabola that is not monotone on its own three points
         V const da = 1.0 / s.pair_za, db = h_sum, dc = 1.0 / s.pair_by;

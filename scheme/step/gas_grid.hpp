@@ -53,8 +53,8 @@ class GasGrid {
 
   [[nodiscard]] int dimensions() const noexcept;
   [[nodiscard]] Int3 cells() const noexcept;
-  [[nodiscard]] std::size_t cell_count() const noexcept;  ///< without those of solid blocks
-  [[nodiscard]] Vec3 widths() const noexcept;             ///< of a cell [m]; 1 along axes that are not there
+  [[nodiscard]] std::size_t cell_count() const noexcept;       ///< without those of solid blocks
+  [[nodiscard]] Vec3 widths() const noexcept;                  ///< of a cell [m]; 1 along axes that are not there
   [[nodiscard]] Vec3 centre(Int3 const& cell) const noexcept;  ///< [m]; the lower corner along axes that are not there
   [[nodiscard]] double time() const noexcept;
   /// Time step that the CFL condition allows now [s].

@@ -35,7 +35,8 @@ TileWork::TileWork(GridContext const& context, Int3 const& largest)
   std::size_t const n = line + 16;
   mirror_line_ = n;
   gathered_ = TermRow(n), x_terms_ = TermRow(n), averaged_ = TermRow(n);
-  x_flux_ = FluxRow(n), other_flux_ = FluxRow(n);
+  other_flux_ = FluxRow(n);
+  for (auto& row : x_flux_) row = FluxRow(n);
   for (auto& row : y_terms_) row = TermRow(n);
   for (auto& row : y_flux_) row = FluxRow(n);
   bool const muscl = g_.predictor == PredictorKernel::muscl;
@@ -85,8 +86,7 @@ void TileWork::step(TileId id) {
   t.worst = 1, t.rate = 0, t.differs = false, t.failures = 0;
   t.faces = t.switched = t.strong = t.cured = t.redone = 0;
   t.through = t.from_source = {};
-  gather();
-  if (third_order_) average_primitives();
+  planes_ = -halo_[2], mean_planes_ = halo_[2] > 0 ? 1 - halo_[2] : 0;
   find_redo();
   sweep();
   t.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -132,6 +132,7 @@ void TileWork::sweep() {
   int const k0 = three ? -1 : 0, k1 = three ? nz_ + 1 : 1, j0 = two ? -1 : 0, j1 = two ? ny_ + 1 : ny_;
   for (int k = k0; k < k1; ++k) {
     bool const inside_z = k >= 0 && k < nz_;
+    gather_up_to(k);
     for (int j = j0; j < j1; ++j) {
       bool const inside_y = j >= 0 && j < ny_;
       if (!inside_y && !inside_z) continue;
@@ -156,16 +157,6 @@ void TileWork::set_terms(int j, int k) {
   std::array<std::ptrdiff_t, 3> const strides{g_.swept[0] ? 1 : 0, g_.swept[1] ? sj_ : 0, g_.swept[2] ? sk_ : 0};
   std::array<double, 3> half{};
   for (std::size_t a = 0; a < 3; ++a) half[a] = g_.swept[a] ? 0.5 * g_.dt / g_.h[a] : 0.0;
-  if (o.cure) {
-    ShockFlagArguments flags{.cells = cells,
-                             .primitive = cells_at(i),
-                             .K = K_.data() + i,
-                             .stride = strides,
-                             .flag = cure_.data() + i,
-                             .any = false};
-    g_.kernels.predict->grid.shock_flags[d](flags);
-    any_cure_ = any_cure_ || flags.any;
-  }
   // rows start at the cell before the tile
   auto const from_first = [lead](RowOut r) {
     r.first -= lead, r.last -= lead;
@@ -175,6 +166,19 @@ void TileWork::set_terms(int j, int k) {
   std::size_t const plane = static_cast<std::size_t>(((k % 2) + 2) % 2) * static_cast<std::size_t>(ny_);
   std::size_t const y_slot = static_cast<std::size_t>(((j % 2) + 2) % 2);
   std::size_t const z_slot = plane + static_cast<std::size_t>(std::clamp(j, 0, ny_ - 1));
+  bool const sourced = static_cast<bool>(g_.setup.source.primitive_rate);
+  bool const terms = g_.predictor != PredictorKernel::godunov && g_.predictor != PredictorKernel::muscl &&
+                     (o.transverse != Transverse::none || sourced);
+  if (o.cure && !terms) {
+    ShockFlagArguments flags{.cells = cells,
+                             .primitive = cells_at(i),
+                             .K = K_.data() + i,
+                             .stride = strides,
+                             .flag = cure_.data() + i,
+                             .any = false};
+    g_.kernels.predict->grid.shock_flags[d](flags);
+    any_cure_ = any_cure_ || flags.any;
+  }
   if (g_.predictor == PredictorKernel::muscl) {
     GridMusclArguments m{.cells = cells,
                          .primitive = cells_at(i),
@@ -195,20 +199,22 @@ void TileWork::set_terms(int j, int k) {
     g_.kernels.predict->grid.muscl[d](m);
     return;
   }
-  bool const sourced = static_cast<bool>(g_.setup.source.primitive_rate);
-  if (g_.predictor == PredictorKernel::godunov || (o.transverse == Transverse::none && !sourced)) return;
+  if (!terms) return;
   TransverseArguments t{.cells = cells,
                         .primitive = cells_at(i),
                         .K = K_.data() + i,
                         .margin = margin_.data() + i,
                         .stride = strides,
                         .half_dt_over_h = half,
-                        .term = {}};
+                        .term = {},
+                        .flag = o.cure ? cure_.data() + i : nullptr,
+                        .any = false};
   if (o.transverse == Transverse::none) t.half_dt_over_h = {0, 0, 0};
   if (inside_y && inside_z) t.term[0] = from_first(x_terms_.out());
   if (inside_z && g_.swept[1]) t.term[1] = from_first(y_terms_[y_slot].out());
   if (inside_y && g_.swept[2]) t.term[2] = from_first(z_terms_[z_slot].out());
   g_.kernels.predict->grid.transverse[d](t);
+  any_cure_ = any_cure_ || t.any;
   if (sourced) {
     if (t.term[0].first != nullptr) add_sources(x_terms_, j, k);
     if (t.term[1].first != nullptr) add_sources(y_terms_[y_slot], j, k);
@@ -227,8 +233,7 @@ void TileWork::add_sources(TermRow& term, int j, int k) const {
 
 void TileWork::x_faces(int j, int k) {
   bool const low = gas_ends(0, -1), high = gas_ends(0, 1), muscl = g_.predictor == PredictorKernel::muscl;
-  GasTile& t = *tile_;
-  if (!g_.swept[0]) return;
+  FluxRow& flux = x_flux_[static_cast<std::size_t>(j % 2)];
   solve_row({.axis = 0,
              .cell = origin_ + index(-1, j, k),
              .n = static_cast<std::size_t>(nx_ + 1),
@@ -238,30 +243,39 @@ void TileWork::x_faces(int j, int k) {
              .wall_high = high,
              .j = j,
              .k = k},
-            x_flux_);
-  if (low) account(0, true, x_flux_, 0, 1);
-  if (high) account(0, false, x_flux_, nx_, 1);
-  RowOut const flux = x_flux_.out();
-  RowOut upper = flux;
-  ++upper.first, ++upper.last;
-  for (double*& v : upper.vector) ++v;
-  g_.kernels.predict->grid.update[static_cast<std::size_t>(g_.dims - 2)]({.cells = static_cast<std::size_t>(nx_),
-                                                                          .from = tile_row(t.now, j, k),
-                                                                          .lower = flux,
-                                                                          .upper = upper,
-                                                                          .lambda = g_.dt / g_.h[0],
-                                                                          .to = tile_row(t.next, j, k)});
+            flux);
+  if (low) account(0, true, flux, 0, 1);
+  if (high) account(0, false, flux, nx_, 1);
+  if (!g_.swept[1]) update_xy(j, k);
 }
 
-void TileWork::update(int axis, int j, int k, bool first, FluxRow& lower, FluxRow& upper) {
+void TileWork::update_xy(int j, int k) {
   GasTile& t = *tile_;
-  g_.kernels.predict->grid.update[static_cast<std::size_t>(g_.dims - 2)](
-      {.cells = static_cast<std::size_t>(nx_),
-       .from = first ? tile_row(t.now, j, k) : tile_row(t.next, j, k),
-       .lower = lower.out(),
-       .upper = upper.out(),
-       .lambda = g_.dt / g_.h[static_cast<std::size_t>(axis)],
-       .to = tile_row(t.next, j, k)});
+  std::size_t const row = static_cast<std::size_t>(j % 2);
+  RowOut const x = x_flux_[row].out();
+  RowOut x_upper = x;
+  ++x_upper.first, ++x_upper.last;
+  for (double*& v : x_upper.vector) ++v;
+  GridUpdateArguments u{.cells = static_cast<std::size_t>(nx_),
+                        .axes = g_.swept[1] ? 2u : 1u,
+                        .from = tile_row(t.now, j, k),
+                        .lower = {x, y_flux_[row].out()},
+                        .upper = {x_upper, y_flux_[1 - row].out()},
+                        .lambda = {g_.dt / g_.h[0], g_.dt / g_.h[1]},
+                        .to = tile_row(t.next, j, k)};
+  g_.kernels.predict->grid.update[static_cast<std::size_t>(g_.dims - 2)](u);
+}
+
+void TileWork::update_z(int j, int k, FluxRow& lower, FluxRow& upper) {
+  GasTile& t = *tile_;
+  RowOut const row = tile_row(t.next, j, k);
+  g_.kernels.predict->grid.update[static_cast<std::size_t>(g_.dims - 2)]({.cells = static_cast<std::size_t>(nx_),
+                                                                          .axes = 1,
+                                                                          .from = row,
+                                                                          .lower = {lower.out(), {}},
+                                                                          .upper = {upper.out(), {}},
+                                                                          .lambda = {g_.dt / g_.h[2], 0},
+                                                                          .to = row});
 }
 
 void TileWork::y_faces(int j, int k) {
@@ -280,7 +294,7 @@ void TileWork::y_faces(int j, int k) {
              .k = k},
             flux);
   if (low || high) account(1, low, flux, 0, static_cast<std::size_t>(nx_));
-  if (j > 0) update(1, j - 1, k, !g_.swept[0], y_flux_[before], flux);
+  if (j > 0) update_xy(j - 1, k);
 }
 
 void TileWork::z_faces(int j, int k) {
@@ -302,7 +316,7 @@ void TileWork::z_faces(int j, int k) {
             flux);
   if (low || high) account(2, low, flux, 0, static_cast<std::size_t>(nx_));
   if (k > 0) {
-    update(2, j, k - 1, false, z_flux_[before], flux);
+    update_z(j, k - 1, z_flux_[before], flux);
     finish(j, k - 1);
   }
 }

@@ -110,14 +110,16 @@ class TileWork {
   };
 
   // gas_tile_fill.cpp
-  void gather();
   void gather_row(int j, int k);
-  /// Ghosts beyond the box and in solid blocks, from the cells beside them, `depth` deep; means of the primitives when
-  /// `means`, else the primitives themselves.
-  void fill_outside(int depth, bool means);
-  void fill_region(Int3 const& region, int axis, int depth, bool means);
+  /// Planes of primitives, and of their averages, that the sweep needs up to plane `k` of faces: as late as can be, so
+  /// that they are still in the cache.
+  void gather_up_to(int k);
+  /// Ghosts of the planes [k0, k1) beyond the box and in solid blocks, from the cells beside them, `depth` deep; means
+  /// of the primitives when `means`, else the primitives themselves.
+  void fill_outside(int k0, int k1, int depth, bool means);
+  void fill_region(Int3 const& region, int axis, int k0, int k1, int depth, bool means);
   void set_inflow(GridBoundary const& condition, std::ptrdiff_t i, Int3 const& cell);
-  void average_primitives();
+  void average_plane(int k);
   [[nodiscard]] TileId beside(Int3 const& direction) const noexcept { return g_.tiling.beside(id_, direction); }
   [[nodiscard]] bool gas_ends(int axis, int direction) const noexcept;
   [[nodiscard]] Vec3 centre(Int3 const& cell) const noexcept;
@@ -130,7 +132,8 @@ class TileWork {
   void x_faces(int j, int k);
   void y_faces(int j, int k);
   void z_faces(int j, int k);
-  void update(int axis, int j, int k, bool first, FluxRow& lower, FluxRow& upper);
+  void update_xy(int j, int k);
+  void update_z(int j, int k, FluxRow& lower, FluxRow& upper);
   void finish(int j, int k);
   void account(int axis, bool low, FluxRow& flux, std::ptrdiff_t first, std::size_t n) noexcept;
   void find_redo();
@@ -176,11 +179,12 @@ class TileWork {
   TermRow gathered_;
   std::vector<double> cure_, redo_;  ///< flags of cells, as the primitives
   bool any_cure_ = false, any_redo_ = false;
+  int planes_ = 0, mean_planes_ = 0;  ///< gathered so far: up to these
   TermRow x_terms_, averaged_;
   std::array<TermRow, 2> y_terms_;
   std::vector<TermRow> z_terms_;  ///< of two planes
-  FluxRow x_flux_, other_flux_;
-  std::array<FluxRow, 2> y_flux_;
+  FluxRow other_flux_;
+  std::array<FluxRow, 2> x_flux_, y_flux_;
   std::vector<FluxRow> z_flux_;  ///< of two planes
   FaceProblems problems_, other_problems_, wall_problems_;
   Padded mark_, map_, mirror_[8];

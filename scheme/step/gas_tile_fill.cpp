@@ -97,17 +97,55 @@ void TileWork::gather_row(int j, int k) {
        .margin = cell(margin_)});
 }
 
-void TileWork::gather() {
-  for (int k = -halo_[2]; k < nz_ + halo_[2]; ++k) {
-    for (int j = -halo_[1]; j < ny_ + halo_[1]; ++j) gather_row(j, k);
+void TileWork::gather_up_to(int k) {
+  int const H = halo_[2], end = nz_ + H;
+  auto const gather_plane = [&](int plane) {
+    for (int j = -halo_[1]; j < ny_ + halo_[1]; ++j) gather_row(j, plane);
+  };
+  int const wanted = std::min(k + (third_order_ ? 3 : 2), end);
+  if (planes_ == -H) {
+    // the planes below the tile may be images of the first ones in it
+    int const first = std::min(std::max(H, 1), nz_);
+    for (int plane = -H; plane < first; ++plane) gather_plane(plane);
+    fill_outside(0, first, g_.halo, false);
+    fill_outside(-H, 0, g_.halo, false);
+    planes_ = first;
   }
-  fill_outside(g_.halo, false);
+  for (; planes_ < std::min(wanted, nz_); ++planes_) {
+    gather_plane(planes_);
+    fill_outside(planes_, planes_ + 1, g_.halo, false);
+  }
+  if (wanted > nz_ && planes_ == nz_) {
+    for (int plane = nz_; plane < end; ++plane) gather_plane(plane);
+    fill_outside(nz_, end, g_.halo, false);
+    planes_ = end;
+  }
+  if (!third_order_) return;
+  int const depth = H > 0 ? H - 1 : 0, last = nz_ + depth, wanted_means = std::min(k + 2, last);
+  if (mean_planes_ == -depth) {
+    int const first = std::min(std::max(depth, 1), nz_);
+    for (int plane = -depth; plane < first; ++plane) average_plane(plane);
+    fill_outside(0, first, g_.halo - 1, true);
+    fill_outside(-depth, 0, g_.halo - 1, true);
+    mean_planes_ = first;
+  }
+  for (; mean_planes_ < std::min(wanted_means, nz_); ++mean_planes_) {
+    average_plane(mean_planes_);
+    fill_outside(mean_planes_, mean_planes_ + 1, g_.halo - 1, true);
+  }
+  if (wanted_means > nz_ && mean_planes_ == nz_) {
+    for (int plane = nz_; plane < last; ++plane) average_plane(plane);
+    fill_outside(nz_, last, g_.halo - 1, true);
+    mean_planes_ = last;
+  }
 }
 
-void TileWork::fill_outside(int depth, bool means) {
+void TileWork::fill_outside(int k0, int k1, int depth, bool means) {
+  if (k0 >= k1) return;
+  int const plane = region_of(k0, nz_);
   // faces of the tile first, then its edges and corners, each from a region that is filled already
   for (int order = 1; order <= 3; ++order) {
-    for (int dz = -1; dz <= 1; ++dz) {
+    for (int dz = plane; dz <= plane; ++dz) {
       for (int dy = -1; dy <= 1; ++dy) {
         for (int dx = -1; dx <= 1; ++dx) {
           Int3 const d{dx, dy, dz};
@@ -128,14 +166,14 @@ void TileWork::fill_outside(int depth, bool means) {
               axis = a;
             }
           }
-          if (exists) fill_region(d, axis, depth, means);
+          if (exists) fill_region(d, axis, k0, k1, depth, means);
         }
       }
     }
   }
 }
 
-void TileWork::fill_region(Int3 const& region, int axis, int depth, bool means) {
+void TileWork::fill_region(Int3 const& region, int axis, int k0, int k1, int depth, bool means) {
   using Kind = GridBoundary::Kind;
   Int3 const size{nx_, ny_, nz_};
   Int3 begin{}, end{};
@@ -144,6 +182,7 @@ void TileWork::fill_region(Int3 const& region, int axis, int depth, bool means) 
     begin[a] = region[a] < 0 ? -H : region[a] == 0 ? 0 : size[a];
     end[a] = region[a] < 0 ? 0 : region[a] == 0 ? size[a] : size[a] + H;
   }
+  begin[2] = std::max(begin[2], k0), end[2] = std::min(end[2], k1);
   std::size_t const s = static_cast<std::size_t>(axis);
   bool const low = region[s] < 0;
   Side const side = static_cast<Side>(2 * axis + (low ? 0 : 1));
@@ -218,24 +257,20 @@ void TileWork::set_inflow(GridBoundary const& condition, std::ptrdiff_t i, Int3 
       g_.setup.eos);
 }
 
-void TileWork::average_primitives() {
-  std::array<int, 3> H{};
-  for (std::size_t a = 0; a < 3; ++a) H[a] = halo_[a] > 0 ? halo_[a] - 1 : 0;
-  for (int k = -H[2]; k < nz_ + H[2]; ++k) {
-    for (int j = -H[1]; j < ny_ + H[1]; ++j) {
-      std::ptrdiff_t const i = origin_ + index(-H[0], j, k);
-      g_.law.grid.average[static_cast<std::size_t>(g_.dims - 2)](
-          {.cells = static_cast<std::size_t>(nx_ + 2 * H[0]),
-           .eos = g_.eos,
-           .primitive = cells_at(i),
-           .K = K_.data() + i,
-           .stride = {g_.swept[0] ? 1 : 0, g_.swept[1] ? sj_ : 0, g_.swept[2] ? sk_ : 0},
-           .velocity = {mean_u_[0].data() + i, mean_u_[1].data() + i, mean_u_[2].data() + i},
-           .p = mean_p_.data() + i,
-           .dK_dp = dK_dp_.data() + i});
-    }
+void TileWork::average_plane(int k) {
+  std::array<int, 2> const H{halo_[0] > 0 ? halo_[0] - 1 : 0, halo_[1] > 0 ? halo_[1] - 1 : 0};
+  for (int j = -H[1]; j < ny_ + H[1]; ++j) {
+    std::ptrdiff_t const i = origin_ + index(-H[0], j, k);
+    g_.law.grid.average[static_cast<std::size_t>(g_.dims - 2)](
+        {.cells = static_cast<std::size_t>(nx_ + 2 * H[0]),
+         .eos = g_.eos,
+         .primitive = cells_at(i),
+         .K = K_.data() + i,
+         .stride = {g_.swept[0] ? 1 : 0, g_.swept[1] ? sj_ : 0, g_.swept[2] ? sk_ : 0},
+         .velocity = {mean_u_[0].data() + i, mean_u_[1].data() + i, mean_u_[2].data() + i},
+         .p = mean_p_.data() + i,
+         .dK_dp = dK_dp_.data() + i});
   }
-  fill_outside(g_.halo - 1, true);
 }
 
 }  // namespace g27
