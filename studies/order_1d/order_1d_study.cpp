@@ -7,13 +7,11 @@
 #include <limits>
 
 #include "studies/driver/study.hpp"
-#include "studies/order_1d/order_row.hpp"
+#include "studies/orders/order_tables.hpp"
 #include "verification/cases/media.hpp"
 
 namespace g27 {
 namespace {
-
-using State = VariableOrder::State;
 
 struct Scheme {
   std::string name;
@@ -102,109 +100,6 @@ std::vector<OrderRow> all_rows() {
   return rows;
 }
 
-std::string name_of(State state) {
-  return state == State::fitted ? "fitted" : state == State::round_off ? "round-off" : "failed";
-}
-
-Table order_table(std::vector<RowResult> const& results) {
-  Table table{.name = "orders",
-              .title = "observed order, least squares over the grids, with its 95 % confidence interval",
-              .columns = {{"group", "1"},
-                          {"case", "1"},
-                          {"law", "1"},
-                          {"mesh", "1"},
-                          {"scheme", "1"},
-                          {"variable", "1"},
-                          {"state", "1"},
-                          {"coarsest_cells", "1"},
-                          {"finest_cells", "1"},
-                          {"l1_order", "1"},
-                          {"l1_interval", "1"},
-                          {"l2_order", "1"},
-                          {"l2_interval", "1"},
-                          {"linf_order", "1"},
-                          {"linf_interval", "1"},
-                          {"finest_l1_error", "1"}},
-              .rows = {},
-              .facts = {}};
-  for (RowResult const& r : results) {
-    for (VariableOrder const& v : r.variables) {
-      OrderRow const& row = r.row;
-      double const nan = std::numeric_limits<double>::quiet_NaN();
-      auto const shown = [&](double x) { return v.state == State::fitted ? x : nan; };
-      table.rows.push_back({row.group, row.problem, row.eos, row.mesh, row.scheme, v.variable, name_of(v.state),
-                            long{row.cells.front()}, long{row.cells.back()}, shown(v.l1.order), shown(v.l1.half_width),
-                            shown(v.l2.order), shown(v.l2.half_width), shown(v.linf.order), shown(v.linf.half_width),
-                            v.errors.empty() ? nan : v.errors.back().l1});
-    }
-  }
-  return table;
-}
-
-Table error_table(std::vector<RowResult> const& results) {
-  Table table{.name = "errors",
-              .title = "errors over the medium's density, sound speed and bulk modulus",
-              .columns = {{"group", "1"},
-                          {"case", "1"},
-                          {"law", "1"},
-                          {"mesh", "1"},
-                          {"scheme", "1"},
-                          {"variable", "1"},
-                          {"h", "m"},
-                          {"l1", "1"},
-                          {"l2", "1"},
-                          {"linf", "1"}},
-              .rows = {},
-              .facts = {}};
-  for (RowResult const& r : results) {
-    for (VariableOrder const& v : r.variables) {
-      for (std::size_t i = 0; i < v.h.size(); ++i) {
-        table.rows.push_back({r.row.group, r.row.problem, r.row.eos, r.row.mesh, r.row.scheme, v.variable, v.h[i],
-                              v.errors[i].l1, v.errors[i].l2, v.errors[i].linf});
-      }
-    }
-  }
-  return table;
-}
-
-using Chosen = std::function<bool(OrderRow const&, VariableOrder const&)>;
-
-/// Least and largest L1 order of the chosen lines, and where; a failure fails whatever is claimed of them.
-struct Spread {
-  double least = std::numeric_limits<double>::infinity(), largest = -least;
-  std::string at_least, at_largest, failure;
-  int fitted = 0, exact = 0;
-
-  [[nodiscard]] bool within(double low, double high) const {
-    return fitted > 0 && failure.empty() && least >= low && largest <= high;
-  }
-  [[nodiscard]] std::string text() const {
-    std::string out =
-        fitted == 0 ? std::string("none fitted")
-                    : fmt::format("{:.3f} ({}) to {:.3f} ({}), {} fits", least, at_least, largest, at_largest, fitted);
-    if (exact > 0) out += fmt::format(", {} exact", exact);
-    if (!failure.empty()) out += "; failed: " + failure;
-    return out;
-  }
-};
-
-Spread spread(std::vector<RowResult> const& results, Chosen const& chosen) {
-  Spread s;
-  for (RowResult const& r : results) {
-    for (VariableOrder const& v : r.variables) {
-      if (!chosen(r.row, v)) continue;
-      std::string const where = fmt::format("{} {} {} {}", r.row.problem, r.row.eos, r.row.mesh, v.variable);
-      if (v.state == State::failed) s.failure = r.failure.empty() ? where : r.failure;
-      if (v.state == State::round_off) ++s.exact;
-      if (v.state != State::fitted) continue;
-      ++s.fitted;
-      if (v.l1.order < s.least) s.least = v.l1.order, s.at_least = where;
-      if (v.l1.order > s.largest) s.largest = v.l1.order, s.at_largest = where;
-    }
-  }
-  return s;
-}
-
 bool smooth_mesh(OrderRow const& r) { return r.mesh == "uniform" || r.mesh == "graded" || r.mesh == "moving"; }
 bool parabolic(OrderRow const& r) { return r.scheme == parabolic_off.name || r.scheme == parabolic_on.name; }
 /// Energy linear in pressure with coefficients that do not depend on density: means of a flow at constant pressure have
@@ -235,8 +130,7 @@ Finding gain(std::vector<RowResult> const& results) {
 std::vector<Finding> judge(std::vector<RowResult> const& results) {
   std::vector<Finding> findings;
   auto const claim = [&](std::string const& text, double low, double high, Chosen const& chosen) {
-    Spread const s = spread(results, chosen);
-    findings.push_back({text, s.text(), s.within(low, high)});
+    findings.push_back(order_claim(results, text, low, high, chosen));
   };
   claim("linear, switch off, smooth meshes, every law and variable: L1 order 2.00 +- 0.05", 1.95, 2.05,
         [](auto& r, auto& v) { return r.scheme == linear_off.name && smooth_mesh(r) && varies(r, v); });
@@ -279,15 +173,7 @@ std::vector<Finding> judge(std::vector<RowResult> const& results) {
 }
 
 StudyReport run(StudyContext const& context) {
-  std::vector<OrderRow> const rows = all_rows();
-  std::vector<RowResult> results;
-  for (OrderRow const& row : rows) {
-    if (context.progress) {
-      context.progress(static_cast<double>(results.size()) / static_cast<double>(rows.size()),
-                       row.problem + " " + row.eos + " " + row.mesh + " " + row.scheme);
-    }
-    results.push_back(measure_order(row));
-  }
+  std::vector<RowResult> const results = measure_orders(all_rows(), context);
   return {{order_table(results), error_table(results)}, judge(results)};
 }
 

@@ -1,4 +1,4 @@
-#include "studies/order_1d/order_row.hpp"
+#include "studies/orders/order_row.hpp"
 
 #include <algorithm>
 #include <cmath>
