@@ -90,9 +90,10 @@ struct LinearPredictor {
     u_s = select(from_left, left.u, select(from_right, right.u, u_s));
     Mask<V> const left_of_contact = u_s > s.w;
     V const rho_s = select(left_of_contact, rho_l + (p_s - pz_l) * inv_c2, rho_r + (p_s - pz_r) * inv_c2);
-    V const phi_min = min(phi_p, min(phi_m, min(phi_0, phi_0r))), K_min = min(a.K, b.K);
-    Mask<V> const weak = Mask<V>(s.linear_star) && phi_min == 1.0 && abs(d_p) <= weak_pressure * K_min &&
-                         abs(d_u) <= weak_velocity * c && rho_s > 0.2 * min(a.rho, b.rho);
+    V const K_min = min(a.K, b.K);
+    Mask<V> weak = Mask<V>(s.linear_star) && abs(d_p) <= weak_pressure * K_min && abs(d_u) <= weak_velocity * c &&
+                   rho_s > 0.2 * min(a.rho, b.rho);
+    if (s.incremented && s.own_increments) weak = weak && alike(s.inc_a, s.inc_b, rho, K_min, c);
     V const one(1.0), zero(0.0);
     V const switched = select(phi_p < 1.0, one, zero) + select(phi_m < 1.0, one, zero) + select(phi_0 < 1.0, one, zero);
 
@@ -103,8 +104,10 @@ struct LinearPredictor {
       V const K_l = a.K + phi_0 * x_0 * d_K, K_r = b.K - phi_0r * (1.0 - x_0) * d_K;
       V const base_l = max(1.0 + exponent * (left.p - pz_l) / K_l, V(1e-3));
       V const base_r = max(1.0 + exponent * (right.p - pz_r) / K_r, V(1e-3));
-      out.left.rho = rho_l * pow(base_l, 1.0 / exponent);
-      out.right.rho = rho_r * pow(base_r, 1.0 / exponent);
+      // In a cold stream the pressures are next to nothing, their ratio anything: the cells bound the density.
+      V const most = 1.5 * max(a.rho, b.rho), least = (1.0 / 1.5) * min(a.rho, b.rho);
+      out.left.rho = max(min(rho_l * pow(base_l, 1.0 / exponent), max(most, rho_l)), min(least, rho_l));
+      out.right.rho = max(min(rho_r * pow(base_r, 1.0 / exponent), max(most, rho_r)), min(least, rho_r));
       if constexpr (single_foot) out.left.rho = rho_l, out.right.rho = rho_r;
     }
     return out;

@@ -17,6 +17,7 @@ namespace g27 {
 namespace parabolic {
 inline constexpr double speed_low = -0.05, speed_high = 0.25;  ///< clip of the swept length's relative correction
 inline constexpr double smooth_acoustic = 0.01, smooth_entropy = 0.003;  ///< amplitude of exempt smooth extrema
+inline constexpr double share_expansion = 2.3, share_compression = 2.0;  ///< bounds over the slope across the face
 inline constexpr double compression = 0.2;        ///< curvature over slope from which a contact is steepened
 inline constexpr double compression_jump = 0.05;  ///< its least density jump over the mean
 inline constexpr double compression_sound = 0.3;  ///< its largest pressure slope over c^2 times the entropy slope
@@ -63,12 +64,12 @@ struct ParabolicPredictor {
     V const K_min = min(a.K, b.K), rho_min = min(a.rho, b.rho);
     Slow<V> const slow = limited ? slow_shock(s, c, gate, K_min) : Slow<V>{};
     V switched(0.0);
-    auto const acoustic = [&](V A, V B, V C, V l, Mask<V> forward) G27_INLINE_LAMBDA {
-      return field<false>(s, A, B, C, l, forward, Z * c, rho, gate, c2, slow, switched);
+    auto const acoustic = [&](V A, V B, V C, V l, Mask<V> forward, Mask<V> expands) G27_INLINE_LAMBDA {
+      return field<false>(s, A, B, C, l, forward, Z * c, rho, gate, c2, slow, switched, expands);
     };
     V const Ap = gp0 + gu0, Bp = gp1 + gu1, Cp = gp2 + gu2, Am = gp0 - gu0, Bm = gp1 - gu1, Cm = gp2 - gu2;
-    V const hg_p = acoustic(Ap, Bp, Cp, l_p, fwd_p), hg_m = acoustic(Am, Bm, Cm, l_m, fwd_m);
-    V const hg_0 = field<true>(s, gs0, gs1, gs2, l_0, fwd_0, rho, rho, gate, c2, slow, switched);
+    V const hg_p = acoustic(Ap, Bp, Cp, l_p, fwd_p, Bp > 0.0), hg_m = acoustic(Am, Bm, Cm, l_m, fwd_m, Bm < 0.0);
+    V const hg_0 = field<true>(s, gs0, gs1, gs2, l_0, fwd_0, rho, rho, gate, c2, slow, switched, Mask<V>(false));
 
     // the star state without a solver: deviations of the three fields from the mean of the two cells
     auto const deviation = [&](V hg, V B, Mask<V> forward) G27_INLINE_LAMBDA {
@@ -81,7 +82,7 @@ struct ParabolicPredictor {
     V hg_0r = hg_0;
     if (any(stands)) {
       V again(0.0);
-      hg_0r = field<true>(s, gs0, gs1, gs2, l_0, Mask<V>(false), rho, rho, gate, c2, slow, again);
+      hg_0r = field<true>(s, gs0, gs1, gs2, l_0, Mask<V>(false), rho, rho, gate, c2, slow, again, Mask<V>(false));
       e_0 = select(stands, 0.5 * (e_0 + deviation(hg_0r, gs1, Mask<V>(false))), e_0);
     }
     if (s.incremented) {
@@ -100,6 +101,7 @@ struct ParabolicPredictor {
     V const p_s = p + x_s, u_s = u + 0.5 * (e_p - e_m) * inv_Z, rho_s = rho + e_0 + x_s * inv_c2;
     Mask<V> const allow(s.linear_star);
     Mask<V> weak = allow && abs(d_p) <= weak_pressure * K_min && abs(d_u) <= weak_velocity * c && rho_s > 0.2 * rho_min;
+    if (s.incremented && s.own_increments) weak = weak && alike(s.inc_a, s.inc_b, rho, K_min, c);
     FacePrediction<V> out{.star = {rho_s, u_s, p_s},
                           .change = {zero, zero, zero},
                           .left = state(a),
@@ -191,7 +193,7 @@ struct ParabolicPredictor {
   /// (h_u - s) times the bounded slope over the swept interval.
   template <bool entropy, Lane V>
   G27_INLINE static V field(Stencil<V> const& s, V A, V B, V C, V l, Mask<V> forward, V scale, V rho, V gate, V c2,
-                            Slow<V> const& slow, V& switched) noexcept {
+                            Slow<V> const& slow, V& switched, Mask<V> expands) noexcept {
     V const zero(0.0), one(1.0), h_sum = s.h_a + s.h_b;
     V const swept = abs(l), D = select(forward, A, C);
     V const h_u = s.uniform ? s.h_a : select(forward, s.h_a, s.h_b), h_d = h_sum - h_u;
@@ -205,7 +207,9 @@ struct ParabolicPredictor {
     V const d = D * sign;
     V bound;
     if constexpr (!entropy) {
-      bound = min(4.0 * d, 2.0 * size_B);
+      // expansions bear a larger share of the face's own slope than shocks
+      V const share = select(expands, V(parabolic::share_expansion), V(parabolic::share_compression));
+      bound = min(4.0 * d, share * size_B);
     } else {
       // Compression of a contact: where the slope is the steepest of three, by more than the threshold, and no
       // pressure jump goes with it, up to the universal bounds (no new extremum in the swept interval).

@@ -48,6 +48,14 @@ G27_INLINE GasState<V> state(Cell<V> const& c) noexcept {
   return {c.rho, c.u, c.p};
 }
 
+/// Increments that differ no more than the states of a weak jump may: where those of the two cells do, as beside a
+/// shock that runs along the face, the jump that the cells show is not all there is.
+template <Lane V>
+G27_INLINE Mask<V> alike(GasState<V> const& a, GasState<V> const& b, V rho, V K, V c) noexcept {
+  return abs(b.p - a.p) <= weak_pressure * K && abs(b.u - a.u) <= weak_velocity * c &&
+         abs(b.rho - a.rho) <= weak_pressure * rho;
+}
+
 /// Weak-jump star state of two states: linearised about their mean (K, rho), upwinded when the face lies outside the
 /// acoustic cone (Toro, 3rd ed., 9.3, with the mean impedance).
 template <Lane V>

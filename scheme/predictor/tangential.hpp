@@ -80,15 +80,15 @@ struct ParabolicTangential {
     Mask<V> const forward = f.l >= 0.0;
     V switched(0.0);
     V const c = f.sound();
-    V const hg =
-        ParabolicPredictor<limited>::template field<false>(s, A, B, C, f.l, forward, c, c, zero, zero, {}, switched);
+    V const hg = ParabolicPredictor<limited>::template field<false>(s, A, B, C, f.l, forward, c, c, zero, zero, {},
+                                                                    switched, Mask<V>(false));
     V const far = select(forward, C, A);
     V g = select(far * B > 0.0, select(abs(far) < abs(B), far, B), zero);
     if constexpr (!limited) g = B;
     TwoSides<V> t{a + select(forward, hg, (s.h_a - f.l) * g), b - select(forward, (s.h_b + f.l) * g, hg)};
     if (Mask<V> const stands = f.l == 0.0 && B != 0.0; any(stands)) {
       V const from_right = ParabolicPredictor<limited>::template field<false>(s, A, B, C, f.l, Mask<V>(false), c, c,
-                                                                              zero, zero, {}, switched);
+                                                                              zero, zero, {}, switched, Mask<V>(false));
       t.right = select(stands, b - from_right, t.right);
     }
     return t;

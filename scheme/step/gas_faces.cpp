@@ -213,8 +213,11 @@ void GasLine::Impl::seal(GasFaces& out, std::ptrdiff_t f, double w) noexcept {
 }
 
 std::size_t GasLine::Impl::all_faces(FaceRun const& run, GasFaces& out) {
-  std::ptrdiff_t const count = cells() + 1, chunks = (count + static_cast<std::ptrdiff_t>(face_chunk) - 1) /
-                                                     static_cast<std::ptrdiff_t>(face_chunk);
+  // the last face of a periodic line is its first
+  bool const periodic = setup.left.kind == GasBoundary::Kind::periodic;
+  std::ptrdiff_t const count = cells() + (periodic ? 0 : 1),
+                       chunks = (count + static_cast<std::ptrdiff_t>(face_chunk) - 1) /
+                                static_cast<std::ptrdiff_t>(face_chunk);
   double switched = 0, strong = 0;
   std::size_t failures = 0;
   int const threads = n >= parallel_threshold ? setup.options.threads : 1;
@@ -240,7 +243,10 @@ std::size_t GasLine::Impl::all_faces(FaceRun const& run, GasFaces& out) {
       one_chunk(k, problems[static_cast<std::size_t>(omp_get_thread_num())], switched, strong, failures);
     }
   }
-  if (setup.left.kind == GasBoundary::Kind::periodic) out.copy_face(count - 1, out, 0);
+  if (periodic) {
+    out.copy_face(count, out, 0);
+    switch_counts[static_cast<std::size_t>(count)] = switch_counts[0];
+  }
   counters.faces += static_cast<std::uint64_t>(count);
   counters.switched += static_cast<std::uint64_t>(switched);
   counters.linear_star += static_cast<std::uint64_t>(static_cast<double>(count) - strong);

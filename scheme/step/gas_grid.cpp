@@ -14,8 +14,10 @@ namespace g27 {
 
 namespace {
 
-/// Tile sizes that measured fastest: rows of eight vectors, and arrays that stay in the second cache.
-constexpr Int3 tile_2d{128, 64, 1}, tile_3d{128, 16, 32};
+/// Tile sizes that measured fastest: rows of many vectors, and arrays that stay in the second cache. A small grid takes
+/// smaller ones, or there would be nothing to skip and nothing to share among threads.
+constexpr Int3 tile_2d{128, 64, 1}, tile_3d{128, 16, 32}, small_2d{32, 32, 1}, small_3d{32, 16, 16};
+constexpr int small_grid = 96;  ///< cells along x up to which tiles are small
 
 constexpr std::ptrdiff_t vector_cells = 8;  ///< the widest vector of any instruction set
 
@@ -49,7 +51,8 @@ GasGridSetup GasGrid::Impl::checked(GasGridSetup s) {
   if (s.options.predictor == Predictor::muscl && s.source.primitive_rate) {
     throw std::invalid_argument("MUSCL-Hancock knows no sources here");
   }
-  Int3 const standard = s.cells[2] > 1 ? tile_3d : tile_2d;
+  bool const small = s.cells[0] <= small_grid, space = s.cells[2] > 1;
+  Int3 const standard = space ? (small ? small_3d : tile_3d) : (small ? small_2d : tile_2d);
   for (std::size_t a = 0; a < 3; ++a) {
     if (s.options.tile[a] <= 0) s.options.tile[a] = standard[a];
     s.options.tile[a] = std::max(s.options.tile[a], 4);

@@ -54,6 +54,8 @@ struct GasGrid::Impl {
   [[nodiscard]] bool bad(GasTile const& t, std::ptrdiff_t i, double share) const noexcept;
   bool floor_vacuum(std::vector<TileId> const& ids, Int3& cell);
   void accept(double dt, std::vector<TileId> const& ids, double new_rate);
+  /// What passes the outer sides of tiles that are left out: the flux of their uniform state.
+  void account_for_skipped(double dt, std::vector<TileId> const& ids);
 };
 
 }  // namespace g27

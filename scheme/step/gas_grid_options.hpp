@@ -37,7 +37,7 @@ struct GridSchemeOptions {
   Switch monotonicity = Switch::graded;
   RiemannSolver riemann = RiemannSolver::fast;
   Transverse transverse = Transverse::own_cell;
-  bool linear_star = true;  ///< acoustic star state where the jump is weak and no switch acts; counted
+  bool linear_star = true;  ///< acoustic star state where the jump is weak; counted
   bool cure = true;         ///< HLLE at first order on the faces of cells in grid-aligned shocks; counted
   bool repair = true;       ///< faces of cells that lose their density or pressure are redone at first order; counted
   bool skip = true;         ///< uniform tiles among uniform tiles are neither computed nor stored

@@ -36,7 +36,16 @@ bool GasGrid::Impl::stays(TileId id) const {
         return b.kind == Kind::outflow || (b.kind == Kind::wall && at_rest);
       };
       bool all = still(setup.sides[static_cast<std::size_t>(side)]);
-      for (BoundaryPatch const& p : setup.patches) all = all && (p.side != side || still(p.condition));
+      for (BoundaryPatch const& p : setup.patches) {
+        bool touches = p.side == side;
+        for (std::size_t b = 0; b < 3; ++b) {
+          // ghosts reach a few cells beyond the tile
+          double const from = context.lower[b] + (t.box.first[b] - context.halo) * context.h[b];
+          double const to = context.lower[b] + (t.box.first[b] + t.box.size[b] + context.halo) * context.h[b];
+          touches = touches && (b == s || !context.swept[b] || (to >= p.lower[b] && from < p.upper[b]));
+        }
+        all = all && (!touches || still(p.condition));
+      }
       if (!all) return false;
     }
   }
@@ -216,7 +225,29 @@ GridStepReport GasGrid::Impl::step(double t_end) {
   return report;
 }
 
+void GasGrid::Impl::account_for_skipped(double dt, std::vector<TileId> const& ids) {
+  for (TileId id = 0; id < tiling.count(); ++id) {
+    if (std::binary_search(ids.begin(), ids.end(), id)) continue;
+    GasTile const& t = tiles[static_cast<std::size_t>(id)];
+    GasPoint const s = primitive(t.state);
+    for (int a = 0; a < 3; ++a) {
+      std::size_t const n = static_cast<std::size_t>(a);
+      if (!context.swept[n]) continue;
+      for (int d : {-1, 1}) {
+        Int3 direction{0, 0, 0};
+        direction[n] = d;
+        if (tiling.beside(id, direction) >= 0) continue;
+        double const area = volume() / context.h[n] * static_cast<double>(t.cells()) / t.box.size[n];
+        double const swept_volume = -d * dt * area * s.u[n];
+        for (std::size_t q = 0; q < 5; ++q) boundary[q].add(swept_volume * t.state[q]);
+        boundary[1 + n].add(-d * dt * area * s.p), boundary[4].add(swept_volume * s.p);
+      }
+    }
+  }
+}
+
 void GasGrid::Impl::accept(double dt, std::vector<TileId> const& ids, double new_rate) {
+  if (ids.size() < tiles.size()) account_for_skipped(dt, ids);
   std::uint64_t computed = 0;
   for (TileId id : ids) {
     GasTile& t = tiles[static_cast<std::size_t>(id)];

@@ -39,7 +39,7 @@ struct GasSchemeOptions {
   FootPoints feet = FootPoints::conservative;
   bool single_foot = false;  ///< all variables at the acoustic feet: an ablation, first order in density
   RiemannSolver riemann = RiemannSolver::fast;
-  bool linear_star = true;  ///< acoustic star state where the jump is weak and no switch acts; counted
+  bool linear_star = true;  ///< acoustic star state where the jump is weak; counted
   double cfl = 0.8;
   int threads = 1;
 };

@@ -11,6 +11,19 @@
 
 namespace g27 {
 
+namespace {
+
+/// "spherical" of a line, "64 x 64 x 32" of a grid.
+std::string mesh_text(SceneRun const& run) {
+  if (!run.grid) {
+    return symmetry_names()[static_cast<std::size_t>(run.setup.symmetry)];
+  }
+  auto const& n = run.grid->setup.cells;
+  return run.dimensions() == 3 ? fmt::format("{} x {} x {}", n[0], n[1], n[2]) : fmt::format("{} x {}", n[0], n[1]);
+}
+
+}  // namespace
+
 int command_check(CheckArguments const& arguments) {
   Scene const scene = read_scene(find_scene(arguments.scene), arguments.set);
   auto const estimates = estimate(scene);
@@ -32,14 +45,17 @@ int command_check(CheckArguments const& arguments) {
       json["runs"].push_back({{"name", run.name},
                               {"variant", run.variant},
                               {"scheme", run.scheme},
-                              {"eos", eos_name(run.setup.eos)},
-                              {"symmetry", symmetry_names()[static_cast<std::size_t>(run.setup.symmetry)]},
+                              {"eos", eos_name(run.eos())},
+                              {"symmetry", mesh_text(run)},
+                              {"dimensions", run.dimensions()},
                               {"cells", estimates[i].cells},
                               {"start_s", run.start},
                               {"end_s", run.end},
                               {"steps", estimates[i].steps},
                               {"seconds", estimates[i].seconds},
-                              {"bytes", estimates[i].bytes}});
+                              {"bytes", estimates[i].bytes},
+                              {"memory", estimates[i].memory},
+                              {"line_steps", estimates[i].line_steps}});
     }
     fmt::print("{}\n", json.dump(2));
     return 0;
@@ -47,22 +63,22 @@ int command_check(CheckArguments const& arguments) {
   Table table{.name = "check",
               .title = scene.title,
               .columns = {{"run", "1"},
-                          {"symmetry", "1"},
+                          {"mesh", "1"},
                           {"eos", "1"},
                           {"cells", "1"},
                           {"from", "us"},
                           {"to", "us"},
                           {"steps", "1"},
                           {"time", "s"},
-                          {"file", "MB"}},
+                          {"file", "MB"},
+                          {"memory", "MB"}},
               .rows = {},
               .facts = {}};
   for (std::size_t i = 0; i < estimates.size(); ++i) {
     SceneRun const& run = scene.runs[i];
     RunEstimate const& e = estimates[i];
-    table.rows.push_back({e.name, symmetry_names()[static_cast<std::size_t>(run.setup.symmetry)],
-                          eos_name(run.setup.eos), static_cast<long>(e.cells), run.start * 1e6, run.end * 1e6, e.steps,
-                          e.seconds, e.bytes / 1e6});
+    table.rows.push_back({e.name, mesh_text(run), eos_name(run.eos()), static_cast<long>(e.cells), run.start * 1e6,
+                          run.end * 1e6, e.steps, e.seconds, e.bytes / 1e6, e.memory / 1e6});
   }
   fmt::print("{}\nabout {} on one thread, {:.1f} MB; {} figures to judge\n", to_text(table), duration_text(seconds),
              bytes / 1e6, scene.expect.size());

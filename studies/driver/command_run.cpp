@@ -16,9 +16,34 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json ledger_json(GasLedger const& ledger) {
-  return {
-      {"mass", ledger.mass.residual()}, {"momentum", ledger.momentum.residual()}, {"energy", ledger.energy.residual()}};
+Json ledger_json(RunRecord const& record) {
+  Json json{{"mass", record.mass().residual()}, {"energy", record.energy().residual()}};
+  if (!record.grid) {
+    json["momentum"] = record.restart.ledger.momentum.residual();
+    return json;
+  }
+  json["momentum"] = Json::array();
+  for (LedgerEntry const& entry : record.grid->restart.ledger.momentum) {
+    json["momentum"].push_back(entry.residual());
+  }
+  return json;
+}
+
+Json saved_json(GridRecord const& grid) {
+  Saved const saved = saved_by(grid);
+  Json json{{"cell_updates", saved.updates},
+            {"skipped_share", saved.skipped_share},
+            {"unstored_share", saved.unstored_share},
+            {"weak_share", saved.weak_share},
+            {"bytes", grid.bytes},
+            {"factor", saved.factor}};
+  if (!grid.line.ended_by.empty()) {
+    json["line_phase"] = {{"until_s", grid.line.time},      {"radius_m", grid.line.radius},
+                          {"ended_by", grid.line.ended_by}, {"cells", grid.line.cells},
+                          {"steps", grid.line.steps},       {"wall_s", grid.line.wall_s},
+                          {"corrected", grid.line.missing}, {"cell_updates_saved", saved.line_updates}};
+  }
+  return json;
 }
 
 Json result_json(Scene const& scene, SceneResult const& result, std::filesystem::path const& out) {
@@ -28,11 +53,14 @@ Json result_json(Scene const& scene, SceneResult const& result, std::filesystem:
     if (auto const found = result.records.find(run.name); found != result.records.end()) {
       RunRecord const& record = found->second;
       entry.update({{"complete", record.complete},
-                    {"cells", run.setup.faces.size() - 1},
-                    {"steps", record.restart.counters.steps},
+                    {"cells", run.cells()},
+                    {"steps", record.counters().steps},
                     {"wall_s", record.wall_s},
-                    {"time_s", record.restart.time},
-                    {"ledger", ledger_json(record.restart.ledger)}});
+                    {"time_s", record.time()},
+                    {"ledger", ledger_json(record)}});
+      if (record.grid) {
+        entry["saved"] = saved_json(*record.grid);
+      }
     }
     if (auto const failed = result.failures.find(run.name); failed != result.failures.end()) {
       entry["failure"] = failed->second;
@@ -76,7 +104,7 @@ bool draw_variants(Scene const& scene, SceneResult const& result, std::filesyste
     }
     if (!files.empty()) {
       files.push_back((out / (name + ".png")).string());
-      drawn = draw("scene", files) && drawn;
+      drawn = draw(scene.runs[0].grid ? "scene-nd" : "scene", files) && drawn;
     }
   }
   return drawn;
@@ -93,11 +121,13 @@ void remove_last_results(std::filesystem::path const& out) {
     if (name.empty() || name.find('/') != std::string::npos) continue;
     for (char const* ending : {".h5", ".xdmf", ".failure.json"})
       std::filesystem::remove(out / (name + ending), ignored);
+    std::filesystem::remove_all(out / (name + ".state"), ignored);
     if (name.size() > scheme.size() + 1) {
       std::filesystem::remove(out / (name.substr(0, name.size() - scheme.size() - 1) + ".png"), ignored);
     }
   }
-  for (char const* name : {"runs.csv", "verdict.csv", "summary.json"}) std::filesystem::remove(out / name, ignored);
+  for (char const* name : {"runs.csv", "saved.csv", "verdict.csv", "summary.json"})
+    std::filesystem::remove(out / name, ignored);
 }
 
 }  // namespace
@@ -118,6 +148,9 @@ int command_run(RunArguments const& arguments) {
     return 1;
   }
   std::vector<Table> tables{run_table(scene, result)};
+  if (scene.runs[0].grid) {
+    tables.push_back(saved_table(scene, result));
+  }
   if (!result.judgements.empty()) {
     tables.push_back(verdict_table(scene, result.judgements));
   }

@@ -9,5 +9,7 @@ namespace g27 {
 /// JSON: status, time, step, cell, EOS with parameters, options, and the state of the cells within four of the failed
 /// one (positions, primitive state, conserved averages, pressure margin).
 std::string failure_capsule(SceneRun const& run, GasLine const& line, StepReport const& report);
+/// The same of a grid: the cells within two of the failed one along each axis.
+std::string failure_capsule(SceneRun const& run, GasGrid const& grid, GridStepReport const& report);
 
 }  // namespace g27

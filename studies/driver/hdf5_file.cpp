@@ -157,6 +157,11 @@ void Hdf5Writer::group(std::string const& path) {
   group.close();
 }
 
+void Hdf5Writer::external(std::string const& path, std::string const& file) {
+  Handle const links(with_groups(), H5Pclose, "make link properties");
+  check(H5Lcreate_external(file.c_str(), path.c_str(), file_, path.c_str(), links, H5P_DEFAULT), "link " + path);
+}
+
 void Hdf5Writer::save(std::filesystem::path const& file) {
   check(H5Fflush(file_, H5F_SCOPE_LOCAL), "flush");
   ssize_t const size = H5Fget_file_image(file_, nullptr, 0);

@@ -29,6 +29,8 @@ class Hdf5Writer {
   void attribute(std::string const& path, std::string const& name, double value);
   void attribute(std::string const& path, std::string const& name, std::string const& value);
   void group(std::string const& path);
+  /// `path` stands for `path` of another file, named from this one's folder.
+  void external(std::string const& path, std::string const& file);
 
   /// Writes the file. Throws OutputError.
   void save(std::filesystem::path const& file);

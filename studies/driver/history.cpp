@@ -12,8 +12,9 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 double centre(GasLine const& line, std::size_t cell) { return (line.faces()[cell] + line.faces()[cell + 1]) / 2; }
 
-/// Linear interpolation of a cell field at x; the end cells' values beyond their centres.
-double sample(GasLine const& line, std::span<double const> field, double x) {
+}  // namespace
+
+double line_sample(GasLine const& line, std::span<double const> field, double x) {
   auto const faces = line.faces();
   auto const face = std::upper_bound(faces.begin() + 1, faces.end() - 1, x);
   auto cell = static_cast<std::size_t>(face - faces.begin()) - 1;
@@ -25,8 +26,6 @@ double sample(GasLine const& line, std::span<double const> field, double x) {
   double const f = std::clamp((x - a) / (b - a), 0.0, 1.0);
   return (1 - f) * field[cell] + f * field[cell + 1];
 }
-
-}  // namespace
 
 double shock_position(GasLine const& line, double threshold) {
   auto const p = line.pressure();
@@ -68,26 +67,42 @@ void History::record(GasLine const& line, OutputPlan const& plan, double dt, boo
   double const right = first ? line.pressure().back() : line.right_face().p;
   totals.left_impulse += left * dt;
   totals.right_impulse += right * dt;
-  if (!first && !last && line.time() < totals.next) {
+  if (!due(line.time(), plan.history_every, last)) {
     return;
-  }
-  if (plan.history_every > 0) {
-    while (totals.next <= line.time()) {
-      totals.next = first && totals.next == 0 ? line.time() + plan.history_every : totals.next + plan.history_every;
-    }
   }
   double const highest = *std::max_element(line.pressure().begin(), line.pressure().end());
   std::vector<double> row{
       line.time(),         dt, shock_position(line, plan.threshold), highest, left, totals.left_impulse, right,
       totals.right_impulse};
   for (Probe const& probe : plan.probes) {
-    row.push_back(sample(line, line.density(), probe.position));
-    row.push_back(sample(line, line.velocity(), probe.position));
-    row.push_back(sample(line, line.pressure(), probe.position));
+    row.push_back(line_sample(line, line.density(), probe.position[0]));
+    row.push_back(line_sample(line, line.velocity(), probe.position[0]));
+    row.push_back(line_sample(line, line.pressure(), probe.position[0]));
   }
+  append(row);
+}
+
+bool History::due(double time, double every, bool last) {
+  bool const first = columns_[0].values.empty();
+  if (!first && !last && time < totals.next) {
+    return false;
+  }
+  if (every > 0) {
+    while (totals.next <= time) {
+      totals.next = first && totals.next == 0 ? time + every : totals.next + every;
+    }
+  }
+  return true;
+}
+
+void History::append(std::vector<double> const& row) {
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     columns_[i].values.push_back(row[i]);
   }
+}
+
+bool History::has(std::string const& name) const {
+  return std::any_of(columns_.begin(), columns_.end(), [&](HistoryColumn const& c) { return c.name == name; });
 }
 
 std::vector<double> const& History::operator[](std::string const& name) const {

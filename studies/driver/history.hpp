@@ -1,5 +1,6 @@
 #pragma once
 /// What a run records as it goes: named columns over time.
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,11 +18,17 @@ class History {
  public:
   /// Columns of a run: time, dt, shock_position, max_pressure, left_ and right_ pressure and impulse, probes.
   explicit History(OutputPlan const& plan);
+  explicit History(std::vector<HistoryColumn> columns) : columns_(std::move(columns)) {}
 
   /// Records the state after a step of `dt` (0 at the start). Impulses add up over every step; a row is kept every
   /// `history_every` seconds, always the first and, through `last`, the last.
   void record(GasLine const& line, OutputPlan const& plan, double dt, bool last);
 
+  /// The row at `time` is one to keep; counts it as kept.
+  bool due(double time, double every, bool last);
+  void append(std::vector<double> const& row);
+
+  [[nodiscard]] bool has(std::string const& name) const;
   [[nodiscard]] std::vector<HistoryColumn> const& columns() const noexcept { return columns_; }
   [[nodiscard]] std::vector<HistoryColumn>& columns() noexcept { return columns_; }
   [[nodiscard]] std::vector<double> const& operator[](std::string const& name) const;
@@ -37,6 +44,9 @@ class History {
  private:
   std::vector<HistoryColumn> columns_;
 };
+
+/// Linear interpolation of a cell field at x; the end cells' values beyond their centres.
+double line_sample(GasLine const& line, std::span<double const> field, double x);
 
 /// Outermost position where the pressure falls through `threshold` [Pa], linear between cell centres; NaN when none.
 double shock_position(GasLine const& line, double threshold);

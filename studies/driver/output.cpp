@@ -1,44 +1,20 @@
 #include "studies/driver/output.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <array>
 #include <cmath>
 
 #include "riemann/eos/factory.hpp"
+#include "studies/driver/grid_output.hpp"
 #include "studies/driver/hdf5_file.hpp"
 #include "studies/driver/input_error.hpp"
-#include "studies/driver/provenance.hpp"
+#include "studies/driver/output_parts.hpp"
 
 namespace g27 {
 namespace {
 
-constexpr std::array counter_fields{std::pair{"steps", &GasCounters::steps},
-                                    std::pair{"faces", &GasCounters::faces},
-                                    std::pair{"cell_updates", &GasCounters::cell_updates},
-                                    std::pair{"switched", &GasCounters::switched},
-                                    std::pair{"linear_star", &GasCounters::linear_star},
-                                    std::pair{"repaired", &GasCounters::repaired},
-                                    std::pair{"floored", &GasCounters::floored},
-                                    std::pair{"retried", &GasCounters::retried}};
-
-constexpr std::array ledger_fields{std::pair{"initial", &LedgerEntry::initial},
-                                   std::pair{"current", &LedgerEntry::current},
-                                   std::pair{"through_boundary", &LedgerEntry::through_boundary},
-                                   std::pair{"from_source", &LedgerEntry::from_source},
-                                   std::pair{"from_floor", &LedgerEntry::from_floor},
-                                   std::pair{"scale", &LedgerEntry::scale}};
-
 constexpr std::array ledger_entries{std::pair{"mass", &GasLedger::mass}, std::pair{"momentum", &GasLedger::momentum},
                                     std::pair{"energy", &GasLedger::energy}};
-
-/// A record can be resumed only by the same run: scene text, overrides and the name (variant and scheme) fix it.
-std::string identity(Scene const& scene, SceneRun const& run) {
-  return fmt::format("{}\n{}\n{}", run.name, fmt::join(scene.overrides, "\n"), scene.text);
-}
-
-std::string state_path(std::size_t i) { return fmt::format("/state/{:04}", i); }
 
 void write_restart(Hdf5Writer& out, RunRecord const& record) {
   Restart const& r = record.restart;
@@ -54,29 +30,17 @@ void write_restart(Hdf5Writer& out, RunRecord const& record) {
   out.attribute("/restart", "next_history", totals.next);
 }
 
-void write_provenance(Hdf5Writer& out, Scene const& scene, SceneRun const& run, int threads) {
-  for (auto const& [name, value] : provenance(threads)) {
-    out.write_text("/provenance/" + name, value);
-  }
-  out.write_text("/provenance/scene", scene.text);
-  out.write_text("/provenance/overrides", fmt::format("{}", fmt::join(scene.overrides, "\n")));
-  out.write_text("/provenance/identity", identity(scene, run));
-}
-
 }  // namespace
 
 void write_run(std::filesystem::path const& file, Scene const& scene, SceneRun const& run, RunRecord const& record,
                int threads) {
+  if (run.grid) {
+    write_grid_run(file, scene, run, record, threads);
+    return;
+  }
   Hdf5Writer out;
-  out.group("/run");
-  out.attribute("/run", "title", scene.title);
-  out.attribute("/run", "name", run.name);
-  out.attribute("/run", "variant", run.variant);
-  out.attribute("/run", "scheme", run.scheme);
-  out.attribute("/run", "eos", eos_name(run.setup.eos));
+  write_heading(out, scene, run, record);
   out.attribute("/run", "symmetry", symmetry_names()[static_cast<std::size_t>(run.setup.symmetry)]);
-  out.attribute("/run", "complete", record.complete ? 1.0 : 0.0);
-  out.attribute("/run", "wall_s", record.wall_s);
   for (std::size_t i = 0; i < record.snapshots.size(); ++i) {
     Snapshot const& s = record.snapshots[i];
     out.write(state_path(i) + "/faces", s.faces, "m");
@@ -93,21 +57,11 @@ void write_run(std::filesystem::path const& file, Scene const& scene, SceneRun c
     out.write("/map/density", map.density, "kg/m3", shape);
     out.write("/map/pressure", map.pressure, "Pa", shape);
   }
-  for (auto const& column : record.history.columns()) {
-    out.write("/history/" + column.name, column.values, column.unit);
-  }
+  write_history(out, record.history);
   for (auto const& [name, entry] : ledger_entries) {
-    std::string const path = fmt::format("/ledger/{}", name);
-    out.group(path);
-    for (auto const& [field, member] : ledger_fields) {
-      out.attribute(path, field, record.restart.ledger.*entry.*member);
-    }
-    out.attribute(path, "residual", (record.restart.ledger.*entry).residual());
+    write_ledger(out, name, record.restart.ledger.*entry);
   }
-  out.group("/counters");
-  for (auto const& [name, member] : counter_fields) {
-    out.attribute("/counters", name, static_cast<double>(record.restart.counters.*member));
-  }
+  write_counters(out, record.restart.counters);
   write_restart(out, record);
   write_provenance(out, scene, run, threads);
   out.save(file);
@@ -116,13 +70,15 @@ void write_run(std::filesystem::path const& file, Scene const& scene, SceneRun c
 
 RunRecord read_run(std::filesystem::path const& file, Scene const& scene, SceneRun const& run) {
   Hdf5Reader const in(file);
-  if (in.read_text("/provenance/identity") != identity(scene, run)) {
-    throw InputError(file.string(), "--resume", "was written by another scene or with other settings",
-                     "restore the scene and --set as they were, or run without --resume");
-  }
+  check_identity(in, file, scene, run);
   RunRecord record(run);
   record.complete = in.number_attribute("/run", "complete") != 0;
   record.wall_s = in.number_attribute("/run", "wall_s");
+  read_history(in, record.history);
+  if (run.grid) {
+    read_grid_run(in, record);
+    return record;
+  }
   for (std::size_t i = 0; in.has(state_path(i)); ++i) {
     std::string const path = state_path(i);
     record.snapshots.push_back({in.number_attribute(path, "time"), in.read(path + "/faces"), in.read(path + "/density"),
@@ -131,9 +87,6 @@ RunRecord read_run(std::filesystem::path const& file, Scene const& scene, SceneR
   if (in.has("/map/time")) {
     record.map = {in.read("/map/time"), in.read("/map/x"), in.read("/map/density"), in.read("/map/pressure"), 0};
     record.map.points = in.shape("/map/x").at(1);
-  }
-  for (auto& column : record.history.columns()) {
-    column.values = in.read("/history/" + column.name);
   }
   record.history.totals = {in.number_attribute("/restart", "left_impulse"),
                            in.number_attribute("/restart", "right_impulse"),
@@ -146,13 +99,9 @@ RunRecord read_run(std::filesystem::path const& file, Scene const& scene, SceneR
   r.energy = in.read("/restart/energy");
   r.switched = in.read("/restart/switched");
   for (auto const& [name, entry] : ledger_entries) {
-    for (auto const& [field, member] : ledger_fields) {
-      r.ledger.*entry.*member = in.number_attribute(fmt::format("/ledger/{}", name), field);
-    }
+    r.ledger.*entry = read_ledger(in, name);
   }
-  for (auto const& [name, member] : counter_fields) {
-    r.counters.*member = static_cast<std::uint64_t>(in.number_attribute("/counters", name));
-  }
+  read_counters(in, r.counters);
   return record;
 }
 

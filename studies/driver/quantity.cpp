@@ -8,24 +8,31 @@ namespace {
 
 std::optional<double> finite(double value) { return std::isfinite(value) ? std::optional(value) : std::nullopt; }
 
-/// First time at which the right wall's pressure passes the threshold, linear between rows.
-std::optional<double> arrival(History const& history, OutputPlan const& plan) {
+/// First time at which a pressure passes the threshold, linear between rows.
+std::optional<double> arrival(History const& history, std::string const& column, double threshold) {
+  if (!history.has(column)) {
+    return std::nullopt;
+  }
   auto const& t = history["time"];
-  auto const& p = history["right_pressure"];
+  auto const& p = history[column];
   for (std::size_t i = 1; i < t.size(); ++i) {
-    if (p[i - 1] <= plan.threshold && p[i] > plan.threshold) {
-      return t[i - 1] + (t[i] - t[i - 1]) * (plan.threshold - p[i - 1]) / (p[i] - p[i - 1]);
+    if (p[i - 1] <= threshold && p[i] > threshold) {
+      return t[i - 1] + (t[i] - t[i - 1]) * (threshold - p[i - 1]) / (p[i] - p[i - 1]);
     }
   }
   return std::nullopt;
 }
 
-std::optional<double> column_at(char const* name, History const& history, Expectation const& e) {
-  return finite(history.at(name, *e.time));
+std::optional<double> wall_arrival(History const& history, OutputPlan const& plan, Expectation const&) {
+  return arrival(history, "right_pressure", plan.threshold);
+}
+
+std::optional<double> column_at(std::string const& name, History const& history, Expectation const& e) {
+  return history.has(name) ? finite(history.at(name, *e.time)) : std::nullopt;
 }
 
 std::optional<double> wall_impulse(History const& history, OutputPlan const& plan, Expectation const& e) {
-  auto const since = arrival(history, plan);
+  auto const since = wall_arrival(history, plan, e);
   return since ? finite(history.at("right_impulse", *since + *e.after) - history.at("right_impulse", *since))
                : std::nullopt;
 }
@@ -42,13 +49,7 @@ std::optional<double> wall_mean_peak(History const& history, OutputPlan const&, 
 }
 
 std::optional<double> probe_at(char const* field, History const& history, Expectation const& e) {
-  std::string const name = "probe/" + e.probe + "/" + field;
-  for (auto const& column : history.columns()) {
-    if (column.name == name) {
-      return finite(history.at(name, *e.time));
-    }
-  }
-  return std::nullopt;
+  return column_at("probe/" + e.probe + "/" + field, history, e);
 }
 
 }  // namespace
@@ -56,22 +57,36 @@ std::optional<double> probe_at(char const* field, History const& history, Expect
 std::vector<HistoryQuantity> const& all_quantities() {
   static std::vector<HistoryQuantity> const table{
       {"shock_position", "outermost place where the pressure passes output.threshold", dimension::length,
-       "time threshold",
+       "time threshold", true, false,
        [](History const& h, OutputPlan const&, Expectation const& e) { return column_at("shock_position", h, e); }},
-      {"max_pressure", "largest cell pressure", dimension::pressure, "time",
+      {"max_pressure", "largest cell pressure", dimension::pressure, "time", true, true,
        [](History const& h, OutputPlan const&, Expectation const& e) { return column_at("max_pressure", h, e); }},
       {"wall_arrival", "time at which the right wall's pressure passes output.threshold", dimension::time, "threshold",
-       [](History const& h, OutputPlan const& plan, Expectation const&) { return arrival(h, plan); }},
-      {"wall_impulse", "impulse per area on the right wall since arrival", dimension::impulse, "after threshold",
-       wall_impulse},
-      {"wall_mean_peak", "largest mean pressure on the right wall over a window", dimension::pressure, "window",
-       wall_mean_peak},
-      {"probe_density", "density at a probe", dimension::density, "time probe",
+       true, false, wall_arrival},
+      {"wall_impulse", "impulse per area on the right wall since arrival", dimension::impulse, "after threshold", true,
+       false, wall_impulse},
+      {"wall_mean_peak", "largest mean pressure on the right wall over a window", dimension::pressure, "window", true,
+       false, wall_mean_peak},
+      {"probe_density", "density at a probe", dimension::density, "time probe", true, true,
        [](History const& h, OutputPlan const&, Expectation const& e) { return probe_at("density", h, e); }},
-      {"probe_velocity", "velocity at a probe", dimension::velocity, "time probe",
+      {"probe_velocity", "velocity at a probe", dimension::velocity, "time probe", true, false,
        [](History const& h, OutputPlan const&, Expectation const& e) { return probe_at("velocity", h, e); }},
-      {"probe_pressure", "pressure at a probe", dimension::pressure, "time probe",
+      {"probe_pressure", "pressure at a probe", dimension::pressure, "time probe", true, true,
        [](History const& h, OutputPlan const&, Expectation const& e) { return probe_at("pressure", h, e); }},
+      {"probe_speed", "magnitude of the velocity at a probe", dimension::velocity, "time probe", false, true,
+       [](History const& h, OutputPlan const&, Expectation const& e) { return probe_at("speed", h, e); }},
+      {"probe_arrival", "time at which the pressure at a probe passes output.threshold", dimension::time,
+       "probe threshold", true, true,
+       [](History const& h, OutputPlan const& plan, Expectation const& e) {
+         return arrival(h, "probe/" + e.probe + "/pressure", plan.threshold);
+       }},
+      {"shock_radius", "distance along a ray from output.origin at which the pressure falls through output.threshold",
+       dimension::length, "time axis threshold", false, true,
+       [](History const& h, OutputPlan const&, Expectation const& e) { return column_at("shock/" + e.axis, h, e); }},
+      {"total_mass", "mass in the domain", dimension::mass, "time", false, true,
+       [](History const& h, OutputPlan const&, Expectation const& e) { return column_at("total_mass", h, e); }},
+      {"total_energy", "energy in the domain", dimension::energy, "time", false, true,
+       [](History const& h, OutputPlan const&, Expectation const& e) { return column_at("total_energy", h, e); }},
   };
   return table;
 }

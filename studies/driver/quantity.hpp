@@ -13,8 +13,9 @@ namespace g27 {
 struct HistoryQuantity {
   std::string name, what;
   Dimension dimension;
-  std::string
-      needs;  ///< keys of [[expect]] it takes, among: time after window probe; or `threshold`: [output] must set it
+  /// keys of [[expect]] it takes, among: time after window probe axis; or `threshold`: [output] must set it
+  std::string needs;
+  bool on_line, on_grid;  ///< what records it
   /// Value in SI; empty when the run does not reach it (no arrival, ended before).
   std::optional<double> (*evaluate)(History const&, OutputPlan const&, Expectation const&);
 };

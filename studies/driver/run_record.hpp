@@ -28,15 +28,55 @@ struct Restart {
   GasLedger ledger;
 };
 
+/// The same of a grid. Arrays are [nz][ny][nx]; none once the run has ended.
+struct GridRestart {
+  double time = 0;
+  std::array<std::vector<double>, 5> averages;  ///< mass, momentum, energy
+  std::array<std::vector<double>, 3> maps;      ///< switched, cured, repaired
+  GridCounters counters;
+  GridLedger ledger;
+};
+
+/// The first phase of a grid's run, on a line.
+struct LinePhase {
+  std::string ended_by;            ///< "time", "radius", "obstacle", "end"; empty: there was none
+  double time = 0, radius = 0;     ///< s, m: when and where the wave was mapped
+  double cells = 0, steps = 0;     ///< of the line
+  double grid_steps = 0;           ///< that the grid would have made meanwhile, at least
+  double wall_s = 0, missing = 0;  ///< what the mapping corrected, relative
+};
+
+struct GridRecord {
+  GridRestart restart;
+  LinePhase line;
+  std::vector<double> snapshot_times;             ///< of the states written so far
+  double cells = 0, cells_stored = 0, bytes = 0;  ///< cells outside blocks; largest number stored, and bytes
+  double tiles = 0;
+  double seen_updates = 0, seen_skipped = 0;  ///< cell updates up to the last row of the history
+  bool begun = false;                         ///< the grid holds the state: past the first phase
+};
+
+/// Fields of a grid at one time, each [nz][ny][nx].
+struct GridSnapshot {
+  double time = 0;
+  std::vector<HistoryColumn> fields;  ///< name, unit, values
+};
+
 struct RunRecord {
-  explicit RunRecord(SceneRun const& run) : history(run.output) {}
+  explicit RunRecord(SceneRun const& run);
 
   std::vector<Snapshot> snapshots;
   SpaceTimeMap map;
   History history;
   Restart restart;
+  std::optional<GridRecord> grid;  ///< instead of snapshots, map and restart
   bool complete = false;
   double wall_s = 0;
+
+  [[nodiscard]] double time() const { return grid ? grid->restart.time : restart.time; }
+  [[nodiscard]] GasCounters const& counters() const { return grid ? grid->restart.counters : restart.counters; }
+  [[nodiscard]] LedgerEntry const& mass() const { return grid ? grid->restart.ledger.mass : restart.ledger.mass; }
+  [[nodiscard]] LedgerEntry const& energy() const { return grid ? grid->restart.ledger.energy : restart.ledger.energy; }
 };
 
 }  // namespace g27

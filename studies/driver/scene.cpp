@@ -23,4 +23,35 @@ std::vector<std::string> const& symmetry_names() {
   return names;
 }
 
+std::vector<std::string> const& transverse_names() {
+  static std::vector<std::string> const names{"own-cell", "averaged", "none"};
+  return names;
+}
+std::vector<std::string> const& side_names() {
+  static std::vector<std::string> const names{"x_low", "x_high", "y_low", "y_high", "z_low", "z_high"};
+  return names;
+}
+std::vector<std::string> const& ray_names() {
+  static std::vector<std::string> const names{"x", "y", "z", "diagonal"};
+  return names;
+}
+
+std::size_t SceneRun::cells() const {
+  if (!grid) {
+    return setup.faces.size() - 1;
+  }
+  std::size_t count = 1;
+  for (int const n : grid->setup.cells) {
+    count *= static_cast<std::size_t>(n);
+  }
+  return count;
+}
+
+void SceneRun::set_threads(int threads) {
+  setup.options.threads = threads;
+  if (grid) {
+    grid->setup.options.threads = threads;
+  }
+}
+
 }  // namespace g27

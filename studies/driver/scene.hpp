@@ -6,16 +6,19 @@
 #include <string>
 #include <vector>
 
-#include "scheme/step/gas_line.hpp"
+#include "scheme/step/gas_grid.hpp"
 
 namespace g27 {
 
 /// State at (x, t = start).
 using InitialState = std::function<GasState<>(double x)>;
 
+/// Mean of the conserved densities at the start over the cell with this centre and these widths.
+using GridInitial = std::function<GasDensities(Vec3 const& centre, Vec3 const& widths)>;
+
 struct Probe {
   std::string name;
-  double position = 0;  ///< m
+  Vec3 position{0, 0, 0};  ///< m; a line's in the first entry
 };
 
 /// What a run records.
@@ -24,24 +27,50 @@ struct OutputPlan {
   double history_every = 0;       ///< s; 0: every step
   double threshold = 0;           ///< pressure [Pa] that marks a shock's or a wall's arrival
   std::vector<Probe> probes;
-  int map_times = 200;  ///< slices of the x-t map
+  int map_times = 200;   ///< slices of a line's x-t map
+  Vec3 origin{0, 0, 0};  ///< of a grid: where the rays that measure shock radii start
+  bool repairs = false;  ///< of a grid: how often switch, cure and repair acted in each cell
+};
+
+/// A first phase on a line, for data that are symmetric about a centre; then mapped onto the grid.
+struct LineStart {
+  GasLineSetup setup;
+  std::vector<GasConserved<>> averages;
+  Vec3 centre{0, 0, 0};
+  double until = 1e300;   ///< s
+  double radius = 1e300;  ///< m; the phase ends as soon as one of the two is reached
+  double clearance = 0;   ///< distance of the centre to the nearest obstacle: the phase ends before the wave gets there
+};
+
+/// What a run on a grid of two or three dimensions has in the place of a line's setup.
+struct GridRun {
+  GasGridSetup setup;
+  GridInitial initial;
+  std::optional<LineStart> line;
 };
 
 /// One run of a scene: a variant of the scene with one scheme.
 struct SceneRun {
-  std::string name;     ///< unique within the scene, fit for a file name: "free-field-linear"
-  std::string variant;  ///< "free field", "wall at 6 cm"
-  std::string scheme;   ///< "godunov", "linear", "parabolic", "muscl"
-  GasLineSetup setup;
-  InitialState initial;
-  double start = 0, end = 0;  ///< s
+  std::string name;             ///< unique within the scene, fit for a file name: "free-field-linear"
+  std::string variant;          ///< "free field", "wall at 6 cm"
+  std::string scheme;           ///< "godunov", "linear", "parabolic", "muscl"
+  GasLineSetup setup;           ///< of a line
+  InitialState initial;         ///< of a line
+  std::optional<GridRun> grid;  ///< two or three dimensions: instead of these two
+  double start = 0, end = 0;    ///< s
   OutputPlan output;
+
+  [[nodiscard]] AnyEos const& eos() const { return grid ? grid->setup.eos : setup.eos; }
+  /// Dimensions of the mesh: 1, 2 or 3.
+  [[nodiscard]] int dimensions() const { return !grid ? 1 : grid->setup.cells[2] > 1 ? 3 : 2; }
+  [[nodiscard]] std::size_t cells() const;
+  void set_threads(int threads);
 };
 
 /// A figure that a run must reproduce.
 struct Expectation {
   std::string quantity;  ///< a name of all_quantities()
-  std::string variant, probe;
+  std::string variant, probe, axis;
   std::vector<std::string> schemes;           ///< judged; the others are shown
   std::optional<double> time, after, window;  ///< s; `after`: since arrival
   double value = 0, tolerance = 0;            ///< SI; the tolerance is absolute
@@ -61,10 +90,13 @@ struct Scene {
 };
 
 /// Names in scenes and on the command line, in the order of the enumerations.
-std::vector<std::string> const& predictor_names();  ///< godunov linear parabolic muscl
-std::vector<std::string> const& switch_names();     ///< off literal binary graded
-std::vector<std::string> const& riemann_names();    ///< fast exact hllc
-std::vector<std::string> const& feet_names();       ///< conservative corrected-3.10 printed-3.10
-std::vector<std::string> const& symmetry_names();   ///< planar cylindrical spherical
+std::vector<std::string> const& predictor_names();   ///< godunov linear parabolic muscl
+std::vector<std::string> const& switch_names();      ///< off literal binary graded
+std::vector<std::string> const& riemann_names();     ///< fast exact hllc
+std::vector<std::string> const& feet_names();        ///< conservative corrected-3.10 printed-3.10
+std::vector<std::string> const& symmetry_names();    ///< planar cylindrical spherical
+std::vector<std::string> const& transverse_names();  ///< own-cell averaged none
+std::vector<std::string> const& side_names();        ///< x_low x_high y_low y_high z_low z_high
+std::vector<std::string> const& ray_names();         ///< x y z diagonal
 
 }  // namespace g27

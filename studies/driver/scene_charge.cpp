@@ -28,9 +28,11 @@ ExactEos exact_law(AnyEos const& eos) {
   throw std::invalid_argument(fmt::format("products of detonation cannot be '{}'", name));
 }
 
-Charge read_charge(Section const& section, AnyEos const& eos, Symmetry symmetry) {
-  Charge charge{
-      .radius = section.positive("radius", dimension::length), .breakout = 0, .state = {}, .section = section};
+Charge read_charge(Section const& section, AnyEos const& eos, Symmetry symmetry, int dimensions) {
+  Charge charge{.radius = section.positive("radius", dimension::length), .state = {}, .section = section};
+  if (dimensions > 1) {
+    charge.centre = section.point("center", dimension::length, dimensions);
+  }
   double const density = section.positive("density", dimension::density);
   double const energy = section.positive("energy", energy_density);
   (void)section.choice("start", {"breakout"}, 0);
@@ -50,13 +52,17 @@ Charge read_charge(Section const& section, AnyEos const& eos, Symmetry symmetry)
 
 }  // namespace
 
-std::vector<Charge> read_charges(Section const& root, AnyEos const& eos, Symmetry symmetry) {
+std::vector<Charge> read_charges(Section const& root, AnyEos const& eos, Symmetry symmetry, int dimensions) {
+  std::vector<std::string> keys{"material", "radius", "density", "energy", "start"};
+  if (dimensions > 1) {
+    keys.push_back("center");
+  }
   std::vector<Charge> charges;
-  for (Section const& section : root.tables("charge", {"material", "radius", "density", "energy", "start"})) {
+  for (Section const& section : root.tables("charge", keys)) {
     if (!charges.empty()) {
-      throw section.error("", "is a second charge", "a line holds one, at its centre");
+      throw section.error("", "is a second charge", "a scene holds one: the others would detonate at their own times");
     }
-    charges.push_back(read_charge(section, eos, symmetry));
+    charges.push_back(read_charge(section, eos, symmetry, dimensions));
   }
   return charges;
 }

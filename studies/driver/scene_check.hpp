@@ -7,7 +7,9 @@ namespace g27 {
 struct RunEstimate {
   std::string name;
   std::size_t cells = 0;
-  double steps = 0, seconds = 0, bytes = 0;  ///< bytes: of the result file
+  double steps = 0, seconds = 0, bytes = 0;  ///< bytes: of the result files
+  double memory = 0;                         ///< bytes of a grid's arrays at the start
+  double line_steps = 0;                     ///< of a first phase on a line
 };
 
 /// Takes the first steps of every run, at most `budget_s` each, and extrapolates. Steps grow or shrink with the sound

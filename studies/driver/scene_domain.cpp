@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "studies/driver/scene_parts.hpp"
+#include "studies/driver/time_table.hpp"
 
 namespace g27 {
 namespace {
@@ -26,46 +27,6 @@ long read_cell_count(Section const& domain, double length) {
                        fmt::format("choose it for 4 to {} cells", most_cells));
   }
   return static_cast<long>(count);
-}
-
-/// A value in time: linear between the entries, constant beyond; a single entry is a constant.
-struct TimeTable {
-  std::vector<double> t, v;
-
-  double operator()(double time) const {
-    auto const next = static_cast<std::size_t>(std::upper_bound(t.begin(), t.end(), time) - t.begin());
-    if (next == 0 || next == t.size()) {
-      return next == 0 ? v.front() : v.back();
-    }
-    double const f = (time - t[next - 1]) / (t[next] - t[next - 1]);
-    return (1 - f) * v[next - 1] + f * v[next];
-  }
-};
-
-TimeTable read_in_time(Section const& section, std::string const& key, Dimension const& dim) {
-  Node const& node = section.need(key, fmt::format("\"{}\"", dim.example));
-  auto const* rows = std::get_if<Node::Array>(&node.value);
-  if (rows == nullptr) {
-    return {{0.0}, {section.quantity(key, dim)}};
-  }
-  std::vector<double> t, v;
-  for (std::size_t i = 0; i < rows->size(); ++i) {
-    auto const* row = std::get_if<Node::Array>(&(*rows)[i].value);
-    std::string const place = fmt::format("{}.{}", key, i);
-    if (row == nullptr || row->size() != 2) {
-      throw section.error(key, fmt::format("entry {} is not a pair", i),
-                          fmt::format("write [[\"0 us\", \"{}\"], ...]", dim.example));
-    }
-    t.push_back(section.quantity_of((*row)[0], place + ".0", dimension::time));
-    v.push_back(section.quantity_of((*row)[1], place + ".1", dim));
-    if (i > 0 && !(t[i] > t[i - 1])) {
-      throw section.error(key, fmt::format("times do not increase at entry {}", i), "sort the pairs by time");
-    }
-  }
-  if (t.empty()) {
-    throw section.error(key, "is an empty table", fmt::format("write [[\"0 us\", \"{}\"], ...]", dim.example));
-  }
-  return {t, v};
 }
 
 }  // namespace
@@ -176,11 +137,11 @@ GasBoundary read_boundary(Section const& domain, std::string const& side, AnyEos
   Section const section = boundary.table(side, {"type", "density", "velocity", "pressure"});
   out.kind = static_cast<GasBoundary::Kind>(index_of_choice(section, "type", section.text("type"), kinds));
   if (out.kind == GasBoundary::Kind::piston) {
-    out.velocity = read_in_time(section.reopened({"type", "velocity"}), "velocity", dimension::velocity);
+    out.velocity = read_time_table(section.reopened({"type", "velocity"}), "velocity", dimension::velocity);
   } else if (out.kind == GasBoundary::Kind::inflow) {
-    auto const rho = read_in_time(section, "density", dimension::density);
-    auto const u = read_in_time(section, "velocity", dimension::velocity);
-    auto const p = read_in_time(section, "pressure", dimension::pressure);
+    auto const rho = read_time_table(section, "density", dimension::density);
+    auto const u = read_time_table(section, "velocity", dimension::velocity);
+    auto const p = read_time_table(section, "pressure", dimension::pressure);
     for (TimeTable const* table : {&rho, &u, &p}) {
       for (double const t : table->t) {
         check_admissible(section, eos, {rho(t), u(t), p(t)});

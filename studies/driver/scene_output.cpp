@@ -10,7 +10,12 @@
 namespace g27 {
 namespace {
 
-std::vector<std::string> const output_keys{"snapshots", "every", "threshold", "probe", "map"};
+std::vector<std::string> output_keys(int dimensions) {
+  if (dimensions == 1) {
+    return {"snapshots", "every", "threshold", "probe", "map"};
+  }
+  return {"snapshots", "every", "threshold", "probe", "origin", "repairs"};
+}
 
 std::string unit_of(Node const& node) {
   auto const* text = std::get_if<std::string>(&node.value);
@@ -59,10 +64,10 @@ std::vector<Node> spread(Section const& section) {
   return out;
 }
 
-void check_probe(Section const& root, Section const& section, std::string const& name) {
+void check_probe(Section const& root, Section const& section, std::string const& name, int dimensions) {
   bool known = false;
   if (root.has("output")) {
-    for (Section const& probe : root.table("output", output_keys).tables("probe", {"name", "position"})) {
+    for (Section const& probe : root.table("output", output_keys(dimensions)).tables("probe", {"name", "position"})) {
       known = known || probe.text("name") == name;
     }
   }
@@ -88,14 +93,19 @@ std::vector<std::string> read_judged_schemes(Section const& section) {
   return out;
 }
 
-Expectation read_expectation(Section const& root, Section const& section, std::vector<std::string> const& variants) {
+Expectation read_expectation(Section const& root, Section const& section, std::vector<std::string> const& variants,
+                             int dimensions) {
   std::vector<std::string> names;
   for (auto const& quantity : all_quantities()) {
-    names.push_back(quantity.name);
+    if (dimensions == 1 ? quantity.on_line : quantity.on_grid) {
+      names.push_back(quantity.name);
+    }
   }
   Expectation e;
   e.quantity = section.text("quantity");
-  auto const& quantity = all_quantities()[index_of_choice(section, "quantity", e.quantity, names)];
+  (void)index_of_choice(section, "quantity", e.quantity, names);
+  auto const& quantity = *std::find_if(all_quantities().begin(), all_quantities().end(),
+                                       [&](HistoryQuantity const& q) { return q.name == e.quantity; });
   auto const takes = [&](char const* key) { return quantity.needs.find(key) != std::string::npos; };
   e.variant = variants[section.choice("variant", variants, 0)];
   for (auto const& [key, target] : {std::pair{"time", &e.time}, {"after", &e.after}, {"window", &e.window}}) {
@@ -113,9 +123,18 @@ Expectation read_expectation(Section const& root, Section const& section, std::v
   }
   if (takes("probe")) {
     e.probe = section.text("probe");
-    check_probe(root, section, e.probe);
+    check_probe(root, section, e.probe, dimensions);
   } else if (section.has("probe")) {
     throw section.error("probe", fmt::format("is not used by '{}'", e.quantity), "remove probe");
+  }
+  if (takes("axis")) {
+    auto rays = ray_names();
+    if (dimensions == 2) {
+      std::erase(rays, "z");
+    }
+    e.axis = rays[index_of_choice(section, "axis", section.text("axis"), rays)];
+  } else if (section.has("axis")) {
+    throw section.error("axis", fmt::format("is not used by '{}'", e.quantity), "remove axis");
   }
   e.value = section.quantity("value", quantity.dimension);
   e.tolerance = read_tolerance(section, quantity.dimension, e.value);
@@ -128,16 +147,49 @@ Expectation read_expectation(Section const& root, Section const& section, std::v
   return e;
 }
 
+/// Adds a probe; one beyond the domain is an error below its lower corner and left out above its upper one, since a
+/// variant may have a smaller domain.
+void read_probe(Section const& section, Extent const& extent, std::vector<Probe>& probes) {
+  Probe read{.name = section.text("name")};
+  if (read.name.empty() || read.name.find('/') != std::string::npos) {
+    throw section.error("name", "is empty or has a slash", "give a short name");
+  }
+  for (Probe const& other : probes) {
+    if (other.name == read.name) {
+      throw section.error("name", fmt::format("'{}' is taken", read.name), "give each probe its own name");
+    }
+  }
+  if (extent.dimensions == 1) {
+    read.position[0] = section.quantity("position", dimension::length);
+  } else {
+    read.position = section.point("position", dimension::length, extent.dimensions);
+  }
+  bool inside = true;
+  for (std::size_t d = 0; d < static_cast<std::size_t>(extent.dimensions); ++d) {
+    if (read.position[d] < extent.lower[d]) {
+      throw section.error("position", fmt::format("{} m lies outside the domain", read.position[d]),
+                          fmt::format("choose it from {} m to {} m", extent.lower[d], extent.upper[d]));
+    }
+    inside = inside && read.position[d] <= extent.upper[d];
+  }
+  if (inside) {
+    probes.push_back(std::move(read));
+  }
+}
+
 }  // namespace
 
-OutputPlan read_output(Section const& root, double start, double end, double left, double right) {
+OutputPlan read_output(Section const& root, double start, double end, Extent const& extent) {
   OutputPlan plan;
-  plan.threshold = 0;
+  int const dimensions = extent.dimensions;
+  // A row of a grid looks at every cell: some hundreds of them tell enough.
+  plan.history_every = dimensions > 1 ? (end - start) / 400 : 0.0;
+  plan.origin = extent.lower;
   if (!root.has("output")) {
     plan.snapshots = {start, end};
     return plan;
   }
-  Section const section = root.table("output", output_keys);
+  Section const section = root.table("output", output_keys(dimensions));
   if (section.has("snapshots")) {
     for (double const t : section.quantities("snapshots", dimension::time)) {
       if (!plan.snapshots.empty() && !(t > plan.snapshots.back())) {
@@ -153,37 +205,31 @@ OutputPlan read_output(Section const& root, double start, double end, double lef
   std::erase_if(plan.snapshots, [&](double t) { return t <= start || t >= end; });
   plan.snapshots.insert(plan.snapshots.begin(), start);
   plan.snapshots.push_back(end);
-  plan.history_every = section.has("every") ? section.positive("every", dimension::time) : 0.0;
+  plan.history_every = section.has("every") ? section.positive("every", dimension::time) : plan.history_every;
   plan.threshold = section.has("threshold") ? section.positive("threshold", dimension::pressure) : 0.0;
   plan.map_times = section.has("map") ? static_cast<int>(section.integer("map", 0, 10000)) : plan.map_times;
+  plan.repairs = section.flag("repairs", false);
+  if (section.has("origin")) {
+    plan.origin = section.point("origin", dimension::length, dimensions);
+  }
   for (Section const& probe : section.tables("probe", {"name", "position"})) {
-    Probe const read{probe.text("name"), probe.quantity("position", dimension::length)};
-    if (read.name.empty() || read.name.find('/') != std::string::npos) {
-      throw probe.error("name", "is empty or has a slash", "give a short name");
-    }
-    for (Probe const& other : plan.probes) {
-      if (other.name == read.name) {
-        throw probe.error("name", fmt::format("'{}' is taken", read.name), "give each probe its own name");
-      }
-    }
-    if (read.position < left) {
-      throw probe.error("position", fmt::format("{} m lies outside the domain", read.position),
-                        fmt::format("choose it from {} m to {} m", left, right));
-    }
-    if (read.position <= right) {  // a variant may have a shorter domain
-      plan.probes.push_back(read);
-    }
+    read_probe(probe, extent, plan.probes);
   }
   return plan;
 }
 
-std::vector<Expectation> read_expectations(Section const& root, std::vector<std::string> const& variants) {
-  std::vector<std::string> const keys{"quantity", "variant", "probe",     "schemes", "time",  "after",
-                                      "window",   "value",   "tolerance", "source",  "judged"};
+std::vector<Expectation> read_expectations(Section const& root, std::vector<std::string> const& variants,
+                                           int dimensions) {
+  std::vector<std::string> keys{"quantity", "variant", "probe",     "schemes", "time",  "after",
+                                "window",   "value",   "tolerance", "source",  "judged"};
+  if (dimensions > 1) {
+    keys.emplace_back("axis");
+  }
   std::vector<Expectation> out;
   for (Section const& section : root.tables("expect", keys)) {
     for (Node const& node : spread(section)) {
-      out.push_back(read_expectation(root, Section(section.reading(), node, section.path(), keys), variants));
+      out.push_back(
+          read_expectation(root, Section(section.reading(), node, section.path(), keys), variants, dimensions));
     }
   }
   return out;

@@ -25,19 +25,28 @@ InitialData read_initial(Section const& root, AnyEos const& eos, Symmetry symmet
 /// A charge whose detonation wave reaches its surface at `breakout` after ignition at the centre.
 struct Charge {
   double radius = 0, breakout = 0;  ///< m, s
-  InitialState state;               ///< exact self-similar wave at breakout
+  Vec3 centre{0, 0, 0};             ///< m; on a grid
+  InitialState state;               ///< exact self-similar wave at breakout, over the distance to the centre
   Section section;
 };
-std::vector<Charge> read_charges(Section const& root, AnyEos const& eos, Symmetry symmetry);
+/// `dimensions` of the mesh: on a grid of 2 or 3 a charge has a `center`.
+std::vector<Charge> read_charges(Section const& root, AnyEos const& eos, Symmetry symmetry, int dimensions = 1);
 
 /// [scheme]: one set of options a scheme asked for.
 std::vector<GasSchemeOptions> read_schemes(Section const& root, double cfl);
+std::vector<GridSchemeOptions> read_grid_schemes(Section const& root, double cfl, int dimensions);
 
+/// Where probes may lie: the corners of the domain, in its first `dimensions` entries.
+struct Extent {
+  Vec3 lower{0, 0, 0}, upper{0, 0, 0};
+  int dimensions = 1;
+};
 /// [output], for a run from `start` to `end`.
-OutputPlan read_output(Section const& root, double start, double end, double left, double right);
+OutputPlan read_output(Section const& root, double start, double end, Extent const& extent);
 
 /// [[expect]].
-std::vector<Expectation> read_expectations(Section const& root, std::vector<std::string> const& variants);
+std::vector<Expectation> read_expectations(Section const& root, std::vector<std::string> const& variants,
+                                           int dimensions);
 
 /// Density, velocity, pressure of a section, checked admissible for `eos`.
 GasState<> read_state(Section const& section, AnyEos const& eos);

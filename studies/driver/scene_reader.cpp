@@ -6,13 +6,14 @@
 
 #include "studies/driver/nearest_key.hpp"
 #include "studies/driver/provenance.hpp"
-#include "studies/driver/scene_parts.hpp"
+#include "studies/driver/scene_grid_parts.hpp"
 
 namespace g27 {
 namespace {
 
-std::vector<std::string> const root_keys{"title",   "source", "name",   "time",    "scheme", "domain", "material",
-                                         "ambient", "region", "charge", "initial", "output", "expect", "variant"};
+std::vector<std::string> const root_keys{"title",    "source",  "name",   "time",   "scheme",  "domain",
+                                         "material", "ambient", "region", "charge", "initial", "output",
+                                         "expect",   "variant", "block",  "start"};
 
 /// Lays `over` onto `base`: tables merge, everything else replaces.
 void merge(Node& base, Node const& over) {
@@ -67,11 +68,33 @@ void check_domain(Section const& domain, GasLineSetup const& setup) {
   }
 }
 
-std::vector<SceneRun> read_variant(Reading& reading, Node const& tree, std::string const& variant) {
-  Section const root(reading, tree, "", root_keys);
-  SceneRun run;
-  run.variant = variant;
+/// [time]: sets the end, returns the CFL number.
+double read_time(Section const& root, SceneRun& run) {
+  Section const time = root.table("time", {"end", "cfl"});
+  run.end = time.positive("end", dimension::time);
+  if (run.end <= run.start) {
+    throw time.error("end", fmt::format("{} s is not after the start at {} s", run.end, run.start), "make it later");
+  }
+  double const cfl = time.quantity("cfl", dimension::number, GasSchemeOptions{}.cfl);
+  if (!(cfl > 0 && cfl <= 1)) {
+    throw time.error("cfl", fmt::format("{} is out of range", cfl), "choose it above 0 and up to 1");
+  }
+  return cfl;
+}
 
+void name_run(SceneRun& run, Predictor predictor) {
+  run.scheme = predictor_names()[static_cast<std::size_t>(predictor)];
+  run.name = slug(run.variant) + "-" + run.scheme;
+}
+
+/// One dimension.
+std::vector<SceneRun> read_line_runs(Section const& root, SceneRun run) {
+  for (char const* key : {"block", "start"}) {
+    if (root.has(key)) {
+      throw root.error(key, "is for two and three dimensions",
+                       "remove it, or give domain.extent = [[...], [...]] with an interval for each axis");
+    }
+  }
   Section const domain = root.table("domain", {"symmetry", "extent", "cells", "cell", "mesh", "motion", "boundary"});
   run.setup.eos = read_eos(root);
   run.setup.symmetry = static_cast<Symmetry>(domain.choice("symmetry", symmetry_names(), 0));
@@ -88,26 +111,66 @@ std::vector<SceneRun> read_variant(Reading& reading, Node const& tree, std::stri
   if (run.start > 0 && run.setup.motion.kind != MeshMotion::Kind::fixed) {
     throw domain.error("motion", "is not possible with a charge", "remove it: charges use a fixed mesh");
   }
-
-  Section const time = root.table("time", {"end", "cfl"});
-  run.end = time.positive("end", dimension::time);
-  if (run.end <= run.start) {
-    throw time.error("end", fmt::format("{} s is not after the start at {} s", run.end, run.start), "make it later");
-  }
-  double const cfl = time.quantity("cfl", dimension::number, GasSchemeOptions{}.cfl);
-  if (!(cfl > 0 && cfl <= 1)) {
-    throw time.error("cfl", fmt::format("{} is out of range", cfl), "choose it above 0 and up to 1");
-  }
-  run.output = read_output(root, run.start, run.end, left, right);
-
+  double const cfl = read_time(root, run);
+  run.output = read_output(root, run.start, run.end, {.lower = {left, 0, 0}, .upper = {right, 0, 0}});
   std::vector<SceneRun> runs;
   for (GasSchemeOptions const& options : read_schemes(root, cfl)) {
     run.setup.options = options;
-    run.scheme = predictor_names()[static_cast<std::size_t>(options.predictor)];
-    run.name = slug(variant) + "-" + run.scheme;
+    name_run(run, options.predictor);
     runs.push_back(run);
   }
   return runs;
+}
+
+/// Two or three dimensions.
+std::vector<SceneRun> read_grid_runs(Section const& root, SceneRun run) {
+  Section const domain =
+      root.table("domain", {"extent", "cells", "cell", "boundary", "patch", "symmetry", "mesh", "motion"});
+  GridBox const box = read_box(domain);
+  int const dimensions = dimensions_of(box);
+  GridRun grid;
+  grid.setup.eos = read_eos(root);
+  grid.setup.lower = box.lower, grid.setup.upper = box.upper, grid.setup.cells = box.cells;
+  grid.setup.sides = read_sides(domain, grid.setup.eos, dimensions);
+  grid.setup.patches = read_patches(domain, grid.setup.eos, dimensions);
+  grid.setup.blocks = read_blocks(root, box);
+  GridRegions const regions = read_regions(root, grid.setup.eos, dimensions);
+  run.start = regions.start.value_or(0);
+  double const cfl = read_time(root, run);
+  grid.initial = make_initial(regions.list, grid.setup.eos, dimensions);
+  grid.line = read_line_start(root, regions, grid, run.start, run.end);
+  run.output = read_output(root, run.start, run.end, {box.lower, box.upper, dimensions});
+  if (grid.line && (!root.has("output") || root.need("output", "").find("origin") == nullptr)) {
+    run.output.origin = grid.line->centre;
+  }
+
+  std::vector<SceneRun> runs;
+  for (GridSchemeOptions options : read_grid_schemes(root, cfl, dimensions)) {
+    options.maps = run.output.repairs;
+    grid.setup.options = options;
+    if (grid.line) {
+      GasSchemeOptions& line = grid.line->setup.options;
+      line.predictor = options.predictor, line.monotonicity = options.monotonicity, line.riemann = options.riemann;
+      line.linear_star = options.linear_star, line.cfl = options.cfl;
+    }
+    run.grid = grid;
+    name_run(run, options.predictor);
+    runs.push_back(run);
+  }
+  return runs;
+}
+
+std::vector<SceneRun> read_variant(Reading& reading, Node const& tree, std::string const& variant) {
+  Section const root(reading, tree, "", root_keys);
+  SceneRun run;
+  run.variant = variant;
+  Node const& domain = root.need("domain", "{ ... }");
+  std::vector<std::string> every_key;
+  if (auto const* table = std::get_if<Node::Table>(&domain.value)) {
+    std::transform(table->begin(), table->end(), std::back_inserter(every_key),
+                   [](NodeEntry const& e) { return e.key; });
+  }
+  return is_grid(root.table("domain", every_key)) ? read_grid_runs(root, run) : read_line_runs(root, run);
 }
 
 }  // namespace
@@ -115,7 +178,8 @@ std::vector<SceneRun> read_variant(Reading& reading, Node const& tree, std::stri
 Scene read_scene(std::filesystem::path const& file, std::vector<std::string> const& overrides) {
   Document document = read_document(file);
   for (std::string const& assignment : overrides) {
-    set_value(document, assignment);
+    bool const short_form = assignment.starts_with("skip=");  // the one key worth a shorter name on the command line
+    set_value(document, (short_form ? "scheme." : "") + assignment);
   }
   Reading reading{.file = document.file, .bare_numbers = {}};
   Section const root(reading, document.root, "", root_keys);
@@ -131,8 +195,8 @@ Scene read_scene(std::filesystem::path const& file, std::vector<std::string> con
   std::erase_if(std::get<Node::Table>(base.value), [](NodeEntry const& e) { return e.key == "variant"; });
   std::vector<std::string> variants{root.text("name", "main")};
   scene.runs = read_variant(reading, base, variants[0]);
-  std::vector<std::string> const variant_keys{"name",   "time",   "scheme",  "domain", "ambient",
-                                              "region", "charge", "initial", "output"};
+  std::vector<std::string> const variant_keys{"name",   "time",    "scheme", "domain", "ambient", "region",
+                                              "charge", "initial", "output", "block",  "start"};
   for (Section const& section : root.tables("variant", variant_keys)) {
     std::string const name = section.text("name");
     for (std::string const& other : variants) {
@@ -144,12 +208,17 @@ Scene read_scene(std::filesystem::path const& file, std::vector<std::string> con
     Node tree = base;
     merge(tree, section.node());
     auto runs = read_variant(reading, tree, name);
+    if (runs[0].dimensions() != scene.runs[0].dimensions()) {
+      throw section.error(
+          "domain", fmt::format("has {} dimensions, the scene {}", runs[0].dimensions(), scene.runs[0].dimensions()),
+          "write another scene for it");
+    }
     std::move(runs.begin(), runs.end(), std::back_inserter(scene.runs));
   }
   if (slug(variants[0]).empty()) {
     throw root.error("name", "has no letter or digit", "name the run in plain letters");
   }
-  scene.expect = read_expectations(root, variants);
+  scene.expect = read_expectations(root, variants, scene.runs[0].dimensions());
   scene.bare_numbers = reading.bare_numbers;
   return scene;
 }

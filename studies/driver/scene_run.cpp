@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "studies/driver/atomic_file.hpp"
+#include "studies/driver/grid_output.hpp"
 #include "studies/driver/output.hpp"
 #include "studies/driver/progress.hpp"
 #include "studies/driver/simulate.hpp"
@@ -45,6 +46,13 @@ class SignalGuard {
 
 /// Work of a run up to a factor: cells x steps, the step being in proportion to the smallest cell.
 double weight(SceneRun const& run) {
+  if (run.grid) {
+    double finest = 1e300;
+    for (std::size_t d = 0; d < static_cast<std::size_t>(run.dimensions()); ++d) {
+      finest = std::min(finest, (run.grid->setup.upper[d] - run.grid->setup.lower[d]) / run.grid->setup.cells[d]);
+    }
+    return static_cast<double>(run.cells()) * (run.end - run.start) / finest;
+  }
   auto const& x = run.setup.faces;
   double smallest = x.back() - x.front();
   for (std::size_t i = 1; i < x.size(); ++i) {
@@ -78,7 +86,7 @@ SceneResult run_scene(Scene const& scene, SceneRunOptions const& options) {
   auto const work = [&](int threads) {
     for (std::size_t i; !stop_requested && (i = next++) < scene.runs.size();) {
       SceneRun run = scene.runs[i];
-      run.setup.options.threads = threads;
+      run.set_threads(threads);
       auto const file = options.out / (run.name + ".h5");
       auto const save = [&](RunRecord const& record) {
         std::lock_guard const lock(files);
@@ -94,6 +102,11 @@ SceneResult run_scene(Scene const& scene, SceneRunOptions const& options) {
                  {.progress = [&](double fraction) { progress.update(i, fraction, run.name); },
                   .checkpoint = save,
                   .checkpoint_s = options.checkpoint_s,
+                  .snapshot =
+                      [&](std::size_t index, GridSnapshot const& state) {
+                        std::lock_guard const lock(files);
+                        write_grid_state(file, run, index, state);
+                      },
                   .interrupted = [] { return stop_requested != 0; }});
         if (record.complete) {
           progress.update(i, 1, run.name);
@@ -157,13 +170,13 @@ Table run_table(Scene const& scene, SceneResult const& result) {
       continue;
     }
     RunRecord const& record = found->second;
-    GasCounters const& c = record.restart.counters;
+    GasCounters const& c = record.counters();
     auto const count = [](std::uint64_t n) { return static_cast<long>(n); };
     double const faces = std::max(1.0, static_cast<double>(c.faces));
-    table.rows.push_back({run.name, static_cast<long>(run.setup.faces.size()) - 1, count(c.steps), record.wall_s,
+    table.rows.push_back({run.name, count(run.cells()), count(c.steps), record.wall_s,
                           static_cast<double>(c.cell_updates) / std::max(record.wall_s, 1e-9),
                           100 * static_cast<double>(c.switched) / faces, count(c.repaired), count(c.floored),
-                          record.restart.ledger.mass.residual(), record.restart.ledger.energy.residual()});
+                          record.mass().residual(), record.energy().residual()});
   }
   return table;
 }

@@ -31,4 +31,16 @@ SceneResult run_scene(Scene const& scene, SceneRunOptions const& options);
 /// One row a run: steps, cell updates per second, share of switched faces, ledger residuals.
 Table run_table(Scene const& scene, SceneResult const& result);
 
+/// One row a run on a grid: what was left out, and what a computation that leaves nothing out would have cost.
+Table saved_table(Scene const& scene, SceneResult const& result);
+/// The figures of that table for one run.
+struct Saved {
+  double updates = 0;                            ///< cell updates made on the grid
+  double skipped_share = 0, unstored_share = 0;  ///< of cell updates; of the cells, when most were stored
+  double weak_share = 0;                         ///< of the faces: acoustic star state, no Riemann solver
+  double line_updates = 0;                       ///< cell updates on the grid that the line made unnecessary
+  double factor = 1;                             ///< cell updates of the whole over those made
+};
+Saved saved_by(GridRecord const& grid);
+
 }  // namespace g27

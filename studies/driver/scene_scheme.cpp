@@ -26,19 +26,9 @@ Predictor of_name(Section const& section, Node const& node) {
   return static_cast<Predictor>(index_of_choice(section, "name", *name, predictor_names()));
 }
 
-}  // namespace
-
-std::vector<GasSchemeOptions> read_schemes(Section const& root, double cfl) {
-  GasSchemeOptions options;
-  options.cfl = cfl;
-  if (!root.has("scheme")) {
-    return {options};
-  }
-  Section const section = root.table("scheme", {"order", "name", "switch", "riemann", "feet", "linear_star"});
-  options.monotonicity = static_cast<Switch>(section.choice("switch", switch_names(), 3));
-  options.riemann = static_cast<RiemannSolver>(section.choice("riemann", riemann_names(), 0));
-  options.feet = static_cast<FootPoints>(section.choice("feet", feet_names(), 0));
-  options.linear_star = section.flag("linear_star", options.linear_star);
+/// What [scheme] asks for, applied to `options` one scheme at a time.
+template <class Options>
+std::vector<Options> one_each(Section const& section, Options options) {
   if (section.has("order") && section.has("name")) {
     throw section.error("name", "is given beside order", "keep one: order = 2 is name = \"linear\"");
   }
@@ -48,7 +38,7 @@ std::vector<GasSchemeOptions> read_schemes(Section const& root, double cfl) {
   }
   Node const& node = section.need(key, "2");
   auto const* list = std::get_if<Node::Array>(&node.value);
-  std::vector<GasSchemeOptions> out;
+  std::vector<Options> out;
   for (Node const& entry : list != nullptr ? *list : Node::Array{node}) {
     options.predictor = key == "name" ? of_name(section, entry) : of_order(section, entry);
     for (auto const& other : out) {
@@ -62,6 +52,47 @@ std::vector<GasSchemeOptions> read_schemes(Section const& root, double cfl) {
     throw section.error(key, "is an empty list", "name at least one scheme");
   }
   return out;
+}
+
+template <class Options>
+void read_common(Section const& section, Options& options) {
+  options.monotonicity = static_cast<Switch>(section.choice("switch", switch_names(), 3));
+  options.riemann = static_cast<RiemannSolver>(section.choice("riemann", riemann_names(), 0));
+  options.linear_star = section.flag("linear_star", options.linear_star);
+}
+
+}  // namespace
+
+std::vector<GasSchemeOptions> read_schemes(Section const& root, double cfl) {
+  GasSchemeOptions options;
+  options.cfl = cfl;
+  if (!root.has("scheme")) {
+    return {options};
+  }
+  Section const section = root.table("scheme", {"order", "name", "switch", "riemann", "feet", "linear_star"});
+  read_common(section, options);
+  options.feet = static_cast<FootPoints>(section.choice("feet", feet_names(), 0));
+  return one_each(section, options);
+}
+
+std::vector<GridSchemeOptions> read_grid_schemes(Section const& root, double cfl, int dimensions) {
+  GridSchemeOptions options;
+  options.cfl = cfl;
+  if (!root.has("scheme")) {
+    return {options};
+  }
+  Section const section = root.table("scheme", {"order", "name", "switch", "riemann", "linear_star", "transverse",
+                                                "cure", "repair", "skip", "max_rule", "tile"});
+  read_common(section, options);
+  options.transverse = static_cast<Transverse>(section.choice("transverse", transverse_names(), 0));
+  options.cure = section.flag("cure", options.cure);
+  options.repair = section.flag("repair", options.repair);
+  options.skip = section.flag("skip", options.skip);
+  options.max_rule = section.flag("max_rule", options.max_rule);
+  if (section.has("tile")) {
+    options.tile = section.counts("tile", static_cast<std::size_t>(dimensions), 4, 1024);
+  }
+  return one_each(section, options);
 }
 
 }  // namespace g27

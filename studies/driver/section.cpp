@@ -114,16 +114,39 @@ long Section::integer(std::string const& key, long least, long most) const {
   return *value;
 }
 
+std::array<int, 3> Section::counts(std::string const& key, std::size_t number, long least, long most) const {
+  auto const* list = std::get_if<Node::Array>(&need(key, "[100, 100]").value);
+  if (list == nullptr || list->size() != number) {
+    throw error(key, list == nullptr ? "is not a list" : fmt::format("has {} entries", list->size()),
+                fmt::format("give {} whole numbers, one an axis", number));
+  }
+  std::array<int, 3> out{1, 1, 1};
+  for (std::size_t d = 0; d < number; ++d) {
+    auto const* count = std::get_if<long>(&(*list)[d].value);
+    if (count == nullptr || *count < least || *count > most) {
+      throw error(key,
+                  count == nullptr ? fmt::format("entry {} is not a whole number", d)
+                                   : fmt::format("{} is out of range", *count),
+                  fmt::format("give whole numbers from {} to {}", least, most));
+    }
+    out[d] = static_cast<int>(*count);
+  }
+  return out;
+}
+
 bool Section::flag(std::string const& key, bool fallback) const {
   Node const* found = node_->find(key);
   if (found == nullptr) {
     return fallback;
   }
-  auto const* value = std::get_if<bool>(&found->value);
-  if (value == nullptr) {
-    throw error(key, fmt::format("is {}, not true or false", found->type_name()), "give true or false");
+  if (auto const* value = std::get_if<bool>(&found->value)) {
+    return *value;
   }
-  return *value;
+  auto const* word = std::get_if<std::string>(&found->value);
+  if (word == nullptr || (*word != "on" && *word != "off")) {
+    throw error(key, fmt::format("is {}, not true or false", found->type_name()), "give true or false (or on, off)");
+  }
+  return *word == "on";
 }
 
 std::string Section::text(std::string const& key) const {
@@ -157,11 +180,14 @@ std::size_t Section::choice(std::string const& key, std::vector<std::string> con
 }
 
 std::vector<double> Section::quantities(std::string const& key, Dimension const& dimension) const {
-  Node const& node = need(key, fmt::format("[\"{}\"]", dimension.example));
+  return quantities_of(need(key, fmt::format("[\"{}\"]", dimension.example)), key, dimension);
+}
+
+std::vector<double> Section::quantities_of(Node const& node, std::string const& key, Dimension const& dimension) const {
   auto const* list = std::get_if<Node::Array>(&node.value);
   if (list == nullptr) {
-    throw error(key, fmt::format("is {}, not a list", node.type_name()),
-                fmt::format("write [\"{}\", ...]", dimension.example));
+    throw error_at(node, full(key), fmt::format("is {}, not a list", node.type_name()),
+                   fmt::format("write [\"{}\", ...]", dimension.example));
   }
   std::vector<double> out;
   for (std::size_t i = 0; i < list->size(); ++i) {
@@ -170,15 +196,43 @@ std::vector<double> Section::quantities(std::string const& key, Dimension const&
   return out;
 }
 
-std::array<double, 2> Section::interval(std::string const& key, Dimension const& dimension) const {
-  auto const ends = quantities(key, dimension);
+std::array<double, 3> Section::point(std::string const& key, Dimension const& dimension, int dimensions) const {
+  auto const values = quantities(key, dimension);
+  if (static_cast<int>(values.size()) != dimensions) {
+    throw error(key, fmt::format("has {} entries", values.size()), fmt::format("give {}, one an axis", dimensions));
+  }
+  std::array<double, 3> out{0, 0, 0};
+  std::copy(values.begin(), values.end(), out.begin());
+  return out;
+}
+
+std::array<double, 2> Section::interval_of(Node const& node, std::string const& key, Dimension const& dimension) const {
+  auto const ends = quantities_of(node, key, dimension);
   if (ends.size() != 2) {
-    throw error(key, fmt::format("has {} entries", ends.size()), "give two: [start, end]");
+    throw error_at(node, full(key), fmt::format("has {} entries", ends.size()), "give two: [start, end]");
   }
   if (!(ends[0] < ends[1])) {
-    throw error(key, "ends before it starts", "give [start, end] with start < end");
+    throw error_at(node, full(key), "ends before it starts", "give [start, end] with start < end");
   }
   return {ends[0], ends[1]};
+}
+
+std::array<double, 2> Section::interval(std::string const& key, Dimension const& dimension) const {
+  return interval_of(need(key, fmt::format("[\"0 m\", \"{}\"]", dimension.example)), key, dimension);
+}
+
+std::vector<std::array<double, 2>> Section::intervals(std::string const& key, Dimension const& dimension) const {
+  auto const example = fmt::format("[[\"0 m\", \"{0}\"], [\"0 m\", \"{0}\"]]", dimension.example);
+  Node const& node = need(key, example);
+  auto const* list = std::get_if<Node::Array>(&node.value);
+  if (list == nullptr) {
+    throw error(key, fmt::format("is {}, not a list of intervals", node.type_name()), "write " + example);
+  }
+  std::vector<std::array<double, 2>> out;
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    out.push_back(interval_of((*list)[i], fmt::format("{}.{}", key, i), dimension));
+  }
+  return out;
 }
 
 Section Section::table(std::string const& key, std::vector<std::string> known) const {

@@ -1,6 +1,7 @@
 #pragma once
 /// A table of a scene being read: every getter checks type, unit, dimension and finiteness, and names file, key, place
 /// and remedy when it throws InputError. Unknown keys are found when the section is opened.
+#include <array>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,9 @@ class Section {
   /// > 0
   [[nodiscard]] double positive(std::string const& key, Dimension const& dimension) const;
   [[nodiscard]] long integer(std::string const& key, long least, long most) const;
+  /// `number` whole numbers, one an axis; 1 along the axes beyond.
+  [[nodiscard]] std::array<int, 3> counts(std::string const& key, std::size_t number, long least, long most) const;
+  /// true or "on", false or "off".
   [[nodiscard]] bool flag(std::string const& key, bool fallback) const;
   [[nodiscard]] std::string text(std::string const& key) const;
   [[nodiscard]] std::string text(std::string const& key, std::string const& fallback) const;
@@ -38,14 +42,22 @@ class Section {
   [[nodiscard]] std::size_t choice(std::string const& key, std::vector<std::string> const& options,
                                    std::size_t fallback) const;
   [[nodiscard]] std::vector<double> quantities(std::string const& key, Dimension const& dimension) const;
+  /// As many entries as the mesh has dimensions, the others 0.
+  [[nodiscard]] std::array<double, 3> point(std::string const& key, Dimension const& dimension, int dimensions) const;
+  /// Intervals [[a, b], ...], one an axis.
+  [[nodiscard]] std::vector<std::array<double, 2>> intervals(std::string const& key, Dimension const& dimension) const;
   /// The interval [a, b], a < b.
   [[nodiscard]] std::array<double, 2> interval(std::string const& key, Dimension const& dimension) const;
   [[nodiscard]] Section table(std::string const& key, std::vector<std::string> known) const;
   /// Entries of [[key]]; none when absent.
   [[nodiscard]] std::vector<Section> tables(std::string const& key, std::vector<std::string> const& known) const;
 
-  /// Reads a node that is not a direct entry: an element of a list.
+  /// Reads a node that is not a direct entry: an element of a list. `key` is its name for messages.
   [[nodiscard]] double quantity_of(Node const& node, std::string const& key, Dimension const& dimension) const;
+  [[nodiscard]] std::vector<double> quantities_of(Node const& node, std::string const& key,
+                                                  Dimension const& dimension) const;
+  [[nodiscard]] std::array<double, 2> interval_of(Node const& node, std::string const& key,
+                                                  Dimension const& dimension) const;
   /// The same table opened with other keys: once its `type` is known.
   [[nodiscard]] Section reopened(std::vector<std::string> known) const {
     return {*reading_, *node_, path_, std::move(known)};

@@ -6,13 +6,12 @@
 #include <chrono>
 
 #include "studies/driver/failure_capsule.hpp"
+#include "studies/driver/grid_simulate.hpp"
 
 namespace g27 {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-constexpr double least_step = 1e-8;  ///< over the run's duration: such a run would never end
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
@@ -110,6 +109,10 @@ GasLine make_line(SceneRun const& run) {
 
 void simulate(SceneRun const& run, RunRecord& record, RunHooks const& hooks) {
   if (record.complete) {
+    return;
+  }
+  if (run.grid) {
+    simulate_grid(run, record, hooks);
     return;
   }
   bool const fresh = record.restart.faces.empty();

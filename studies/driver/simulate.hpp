@@ -19,6 +19,8 @@ struct RunHooks {
   /// called every `checkpoint_s` of wall time with a record that can be resumed
   std::function<void(RunRecord const&)> checkpoint;
   double checkpoint_s = 30;
+  /// called with every state of a grid that is to be kept; a line's are in the record
+  std::function<void(std::size_t index, GridSnapshot const&)> snapshot{};
   /// true: stop after this step, with a record that can be resumed
   std::function<bool()> interrupted;
 };
@@ -29,6 +31,9 @@ void simulate(SceneRun const& run, RunRecord& record, RunHooks const& hooks);
 
 /// A line at the run's initial state.
 GasLine make_line(SceneRun const& run);
+
+/// Share of the run's duration below which a time step counts as vanished: such a run would never end.
+inline constexpr double least_step = 1e-8;
 
 std::string step_status_text(StepStatus status);
 

@@ -24,6 +24,8 @@ inline constexpr Dimension velocity{"velocity", "7.5869 km/s", {0, 1, -1, 0, 0}}
 inline constexpr Dimension density{"density", "1.65 g/cm3", {1, -3, 0, 0, 0}};
 inline constexpr Dimension pressure{"pressure", "1 bar", {1, -1, -2, 0, 0}};
 inline constexpr Dimension impulse{"impulse per area", "28 GPa us", {1, -1, -1, 0, 0}};
+inline constexpr Dimension mass{"mass", "1 kg", {1, 0, 0, 0, 0}};
+inline constexpr Dimension energy{"energy", "1 MJ", {1, 2, -2, 0, 0}};
 inline constexpr Dimension angle{"angle", "45 deg", {0, 0, 0, 0, 1}};
 }  // namespace dimension
 

@@ -19,6 +19,9 @@ std::string condition(Expectation const& e) {
   add("at", e.time);
   add("after", e.after);
   add("over", e.window);
+  if (!e.axis.empty()) {
+    out += " along " + e.axis;
+  }
   return e.probe.empty() ? out : out + " at " + e.probe;
 }
 

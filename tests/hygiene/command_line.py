@@ -77,6 +77,18 @@ with tempfile.TemporaryDirectory() as folder:
              if item.get("Format") == "HDF"]
     if len(items) < 8 or not all(item.startswith("main-linear.h5:/state/") for item in items):
         problems.append(f"the XDMF file refers to {items}")
+    # A grid: a state a file, beside a table of what was left out.
+    plane = run_json("run", "shock-tube-2d", "--out", folder, "--no-figures", "--set", "skip=off")
+    if not plane.get("holds") or "factor" not in plane.get("runs", [{}])[0].get("saved", {}):
+        problems.append("g27 run shock-tube-2d does not hold, or does not tell what it left out")
+    items = [item.text.strip() for item in
+             xml.etree.ElementTree.parse(pathlib.Path(folder) / "main-linear.xdmf").iter("DataItem")
+             if item.get("Format") == "HDF"]
+    if len(items) != 8 or not all((pathlib.Path(folder) / item.split(":")[0]).is_file() for item in items):
+        problems.append(f"the XDMF file of a grid refers to {items}")
+    run("run", "sod", "--out", folder, "--no-figures")
+    if (pathlib.Path(folder) / "main-linear.state").exists():
+        problems.append("a run leaves the states of an earlier one")
     # A claim that fails: status 1. The pressure at a tenth of the time is not the star pressure.
     failing = run_json("run", "sod", "--out", folder, "--no-figures", "--set", "expect.0.time=0.01 s", status=1)
     if failing.get("holds") is not False:

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "studies/order_1d/order_row.hpp"
+#include "studies/orders/order_row.hpp"
 #include "tests/catch.hpp"
 
 namespace {

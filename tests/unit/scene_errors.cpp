@@ -48,6 +48,48 @@ value = "0.3 bar"
 tolerance = "5 %"
 )";
 
+char const* const valid_grid = R"(title = "box"
+[time]
+end = "1 ms"
+[scheme]
+order = 2
+transverse = "own-cell"
+skip = "on"
+[domain]
+extent = [["0 m", "1 m"], ["0 m", "1 m"], ["0 m", "0.5 m"]]
+cells = [20, 20, 10]
+boundary = { x_low = "symmetry", y_low = "symmetry", z_low = "symmetry", others = "outflow" }
+[[domain.patch]]
+side = "x_high"
+extent = [["0 m", "0.2 m"], ["0 m", "0.2 m"]]
+condition = { type = "inflow", density = "1 kg/m3", velocity = ["-1 m/s", [["0 s", "0 m/s"], ["1 s", "1 m/s"]], "0 m/s"], pressure = "1 bar" }
+[[block]]
+extent = [["0.5 m", "0.75 m"], ["0 m", "0.25 m"], ["0 m", "0.3 m"]]
+[material.gas]
+eos = { type = "ideal", gamma = 1.4 }
+[ambient]
+density = "1 kg/m3"
+pressure = "1 bar"
+[[region]]
+shape = "sphere"
+center = ["0 m", "0 m", "0 m"]
+radius = "0.2 m"
+density = "2 kg/m3"
+pressure = "9 bar"
+[start]
+one_dimensional_radius = "0.3 m"
+[output]
+threshold = "2 bar"
+origin = ["0 m", "0 m", "0 m"]
+probe = [{ name = "mid", position = ["0.5 m", "0.5 m", "0.1 m"] }]
+[[expect]]
+quantity = "shock_radius"
+axis = "diagonal"
+time = "1 ms"
+value = "0.3 m"
+tolerance = "5 %"
+)";
+
 char const* const jwl_material =
     R"(eos = { type = "jwl", A = "708.6 GPa", B = "13.16 GPa", R1 = 4.94, R2 = 1.35, omega = 0.28, rho0 = "1.65 g/cm3" })";
 char const* const ideal_material = R"(eos = { type = "ideal", gamma = 1.4 })";
@@ -67,8 +109,7 @@ class TemporaryScene {
   std::filesystem::path path_;
 };
 
-std::string edited(std::string const& from, std::string const& to) {
-  std::string text = valid;
+std::string edited(std::string const& from, std::string const& to, std::string text = valid) {
   std::size_t const at = text.find(from);
   REQUIRE(at != std::string::npos);
   return text.replace(at, from.size(), to);
@@ -175,20 +216,72 @@ std::vector<Mistake> const mistakes{
     {"tolerance = \"5 %\"", "tolerance = \"5 %\"\n[[variant]]\nname = \"main\"", "variant.0.name", "taken", "own name"},
     {"tolerance = \"5 %\"", "tolerance = \"5 %\"\n[[variant]]\nname = \"b\"\ndomain = { cels = 3 }", "domain.cels", "unknown key", "'cells'"},
 };
+
+std::vector<Mistake> const grid_mistakes{
+    // domain
+    {"extent = [[\"0 m\", \"1 m\"], [\"0 m\", \"1 m\"], [\"0 m\", \"0.5 m\"]]", "extent = [[\"0 m\", \"1 m\"]]", "domain.extent", "has 1 intervals", "two or three"},
+    {"extent = [[\"0 m\", \"1 m\"], [\"0 m\"", "extent = [[\"0 m\", \"1 m\"], [\"2 m\"", "domain.extent.1", "ends before it starts", "start < end"},
+    {"extent = [[\"0 m\", \"1 m\"], [\"0 m\"", "extent = [[\"0 m\", \"1 bar\"], [\"0 m\"", "domain.extent.0.1", "not a length", "5 cm"},
+    {"cells = [20, 20, 10]", "cells = [20, 20]", "domain.cells", "has 2 entries", "3 whole numbers"},
+    {"cells = [20, 20, 10]", "cells = 20", "domain.cells", "not a list", "one an axis"},
+    {"cells = [20, 20, 10]", "cells = [20, 20, 2]", "domain.cells", "2 is out of range", "from 4"},
+    {"cells = [20, 20, 10]", "", "domain.cells", "missing", "cell = "},
+    {"cells = [20, 20, 10]", "cell = \"3 cm\"", "domain.cell", "33.3333 cells", "whole number of cells"},
+    {"cells = [20, 20, 10]", "cells = [20, 20, 10]\nsymmetry = \"planar\"", "domain.symmetry", "one dimension", "remove it"},
+    {"cells = [20, 20, 10]", "cells = [20, 20, 10]\nmesh = \"uniform\"", "domain.mesh", "one dimension", "remove it"},
+    {"cells = [20, 20, 10]", "cels = [20, 20, 10]", "domain.cels", "unknown key", "'cells'"},
+    // boundary
+    {"x_low = \"symmetry\", ", "x_lo = \"symmetry\", ", "domain.boundary.x_lo", "unknown key", "'x_low'"},
+    {"others = \"outflow\"", "x_high = \"outflow\"", "domain.boundary.y_high", "missing", "others"},
+    {"x_low = \"symmetry\", ", "x_low = \"symetry\", ", "domain.boundary.x_low", "'symetry'", "'symmetry'"},
+    {"x_low = \"symmetry\", ", "x_low = \"periodic\", ", "domain.boundary", "one side of x only", "x_high"},
+    {"x_low = \"symmetry\", ", "x_low = \"inflow\", ", "domain.boundary.x_low", "needs its state", "velocity"},
+    {"x_low = \"symmetry\", ", "x_low = { type = \"inflow\", density = \"1 kg/m3\", velocity = [\"1 m/s\"], pressure = \"1 bar\" }, ", "domain.boundary.x_low.velocity", "has 1 entries", "give 3"},
+    {"x_low = \"symmetry\", ", "x_low = { type = \"inflow\", density = \"1 kg/m3\", velocity = [\"1 m/s\", \"0 m/s\", \"0 m/s\"], pressure = \"-1 bar\" }, ", "domain.boundary.x_low.pressure", "not admissible", "raise"},
+    {"x_low = \"symmetry\", ", "x_low = { type = \"moving-shock\", point = [\"0 m\", \"0 m\", \"0 m\"], normal = [1, 0, 0], speed = \"1 m/s\" }, ", "domain.boundary.x_low.behind", "missing", "add behind"},
+    {"side = \"x_high\"", "side = \"right\"", "domain.patch.0.side", "'right'", "x_low"},
+    {"extent = [[\"0 m\", \"0.2 m\"], [\"0 m\", \"0.2 m\"]]", "extent = [[\"0 m\", \"0.2 m\"]]", "domain.patch.0.extent", "has 1 intervals", "give 2"},
+    {"[[\"0 s\", \"0 m/s\"], [\"1 s\", \"1 m/s\"]]", "[[\"1 s\", \"0 m/s\"], [\"1 s\", \"1 m/s\"]]", "domain.patch.0.condition.velocity.1", "do not increase", "sort"},
+    // blocks
+    {"extent = [[\"0.5 m\", \"0.75 m\"]", "extent = [[\"0.5 m\", \"0.6 m\"]", "block.0.extent", "takes 2 cells along x", "4 cells"},
+    {"extent = [[\"0.5 m\", \"0.75 m\"]", "extent = [[\"0.7 m\", \"0.9 m\"]", "block.0.extent", "2 after it", "none or 4"},
+    {"[\"0 m\", \"0.25 m\"], [\"0 m\", \"0.3 m\"]]", "[\"0 m\", \"0.25 m\"]]", "block.0.extent", "has 2 intervals", "give 3"},
+    // scheme
+    {"transverse = \"own-cell\"", "transverse = \"mean\"", "scheme.transverse", "'mean'", "averaged"},
+    {"skip = \"on\"", "skip = \"maybe\"", "scheme.skip", "not true or false", "on, off"},
+    {"skip = \"on\"", "feet = \"conservative\"", "scheme.feet", "unknown key", "skip"},
+    {"skip = \"on\"", "tile = [2, 16, 16]", "scheme.tile", "2 is out of range", "from 4"},
+    // initial data
+    {"[ambient]\ndensity = \"1 kg/m3\"\npressure = \"1 bar\"", "", "ambient", "missing", "add [ambient]"},
+    {"shape = \"sphere\"", "shape = \"ball\"", "region.0.shape", "'ball'", "sphere"},
+    {"radius = \"0.2 m\"", "raduis = \"0.2 m\"", "region.0.raduis", "unknown key", "'radius'"},
+    {"radius = \"0.2 m\"", "radius = \"-0.2 m\"", "region.0.radius", "not positive", "> 0"},
+    {"center = [\"0 m\", \"0 m\", \"0 m\"]", "center = [\"0 m\", \"0 m\"]", "region.0.center", "has 2 entries", "give 3"},
+    {"pressure = \"9 bar\"", "pressure = \"9 bar\"\nvelocity = \"1 m/s\"", "region.0.velocity", "not a list", "write ["},
+    {"shape = \"sphere\"\ncenter = [\"0 m\", \"0 m\", \"0 m\"]\nradius = \"0.2 m\"", "shape = \"half-space\"\npoint = [\"0 m\", \"0 m\", \"0 m\"]\nnormal = [0, 0, 0]", "region.0.normal", "has no length", "direction"},
+    {"[output]", "[initial]\ntype = \"table\"\n[output]", "initial", "one dimension", "[[region]]"},
+    // the first phase
+    {"one_dimensional_radius = \"0.3 m\"", "", "start.one_dimensional_until", "missing", "one_dimensional_radius"},
+    {"one_dimensional_radius = \"0.3 m\"", "one_dimensional_radius = \"0.1 m\"", "start.one_dimensional_radius", "out of range", "nearest side or block"},
+    {"one_dimensional_radius = \"0.3 m\"", "one_dimensional_radius = \"0.6 m\"", "start.one_dimensional_radius", "out of range", "0.5 m"},
+    {"one_dimensional_radius = \"0.3 m\"", "one_dimensional_until = \"2 ms\"", "start.one_dimensional_until", "not within the run", "choose it"},
+    {"pressure = \"9 bar\"", "pressure = \"9 bar\"\nvelocity = [\"1 m/s\", \"0 m/s\", \"0 m/s\"]", "start", "region.0 moves", "remove [start]"},
+    {"x_low = \"symmetry\", ", "x_low = \"outflow\", ", "start", "not a plane of symmetry", "x_low = \"symmetry\""},
+    {"radius = \"0.2 m\"", "radius = \"0.55 m\"", "start", "nearest side or block", "remove [start]"},
+    // output, expectations, variants
+    {"position = [\"0.5 m\", \"0.5 m\", \"0.1 m\"]", "position = \"0.5 m\"", "output.probe.0.position", "not a list", "write ["},
+    {"position = [\"0.5 m\", \"0.5 m\", \"0.1 m\"]", "position = [\"0.5 m\", \"-0.5 m\", \"0.1 m\"]", "output.probe.0.position", "outside", "choose it"},
+    {"threshold = \"2 bar\"", "threshold = \"2 bar\"\nmap = 20", "output.map", "unknown key", "probe"},
+    {"axis = \"diagonal\"", "axis = \"w\"", "expect.0.axis", "'w'", "diagonal"},
+    {"axis = \"diagonal\"\n", "", "expect.0.axis", "missing", "add axis"},
+    {"quantity = \"shock_radius\"", "quantity = \"wall_impulse\"", "expect.0.quantity", "'wall_impulse'", "shock_radius"},
+    {"tolerance = \"5 %\"", "tolerance = \"5 %\"\n[[variant]]\nname = \"b\"\ndomain = { extent = [\"0 m\", \"1 m\"] }", "block", "two and three dimensions", "remove it"},
+};
 // clang-format on
 
-}  // namespace
-
-TEST_CASE("the scene that the mistakes start from is valid", "[scene]") {
-  TemporaryScene const file(valid);
-  g27::Scene const scene = g27::read_scene(file.path(), {});
-  CHECK(scene.runs.size() == 1);
-  CHECK(scene.bare_numbers.empty());
-}
-
-TEST_CASE("a malformed scene is refused with file, key and remedy", "[scene]") {
-  for (Mistake const& m : mistakes) {
-    TemporaryScene const file(edited(m.from, m.to));
+void check_mistakes(std::vector<Mistake> const& list, std::string const& start) {
+  for (Mistake const& m : list) {
+    TemporaryScene const file(edited(m.from, m.to, start));
     INFO(m.to);
     try {
       (void)g27::read_scene(file.path(), {});
@@ -201,6 +294,53 @@ TEST_CASE("a malformed scene is refused with file, key and remedy", "[scene]") {
       CHECK(error.remedy.find(m.remedy) != std::string::npos);
     }
   }
+}
+
+}  // namespace
+
+TEST_CASE("the scene that the mistakes start from is valid", "[scene]") {
+  TemporaryScene const file(valid);
+  g27::Scene const scene = g27::read_scene(file.path(), {});
+  CHECK(scene.runs.size() == 1);
+  CHECK(scene.bare_numbers.empty());
+}
+
+TEST_CASE("the grid that the mistakes start from is valid", "[scene]") {
+  TemporaryScene const file(valid_grid);
+  g27::Scene const scene = g27::read_scene(file.path(), {});
+  REQUIRE(scene.runs.size() == 1);
+  CHECK(scene.bare_numbers.empty());
+  REQUIRE(scene.runs[0].grid);
+  g27::GridRun const& grid = *scene.runs[0].grid;
+  CHECK(scene.runs[0].dimensions() == 3);
+  CHECK(grid.setup.blocks.at(0).first == g27::Int3{10, 0, 0});
+  CHECK(grid.setup.blocks.at(0).last == g27::Int3{15, 5, 6});
+  CHECK(grid.setup.patches.at(0).condition.state({1, 0, 0}, 0.5).u == g27::Vec3{-1, 0.5, 0});
+  REQUIRE(grid.line);
+  CHECK(grid.line->setup.symmetry == g27::Symmetry::spherical);
+  CHECK(grid.line->clearance == Approx(0.5));
+  CHECK_FALSE(g27::read_scene(file.path(), {"skip=off"}).runs[0].grid->setup.options.skip);
+}
+
+TEST_CASE("a malformed scene is refused with file, key and remedy", "[scene]") { check_mistakes(mistakes, valid); }
+
+TEST_CASE("a malformed scene on a grid is refused with file, key and remedy", "[scene]") {
+  check_mistakes(grid_mistakes, valid_grid);
+}
+
+TEST_CASE("averages of cells that a ball cuts are means over points", "[scene]") {
+  TemporaryScene const file(valid_grid);
+  g27::GridRun const grid = *g27::read_scene(file.path(), {}).runs[0].grid;
+  double const h = 0.05;
+  CHECK(grid.initial({0.5 * h, 0.5 * h, 0.5 * h}, {h, h, h}).mass == 2.0);  // inside: no round-off of a sum
+  CHECK(grid.initial({10.5 * h, 0.5 * h, 0.5 * h}, {h, h, h}).mass == 1.0);
+  double mass = 0;
+  for (int n = 0; n < 512; ++n) {
+    mass += h * h * h * grid.initial({(n % 8 + 0.5) * h, (n / 8 % 8 + 0.5) * h, (n / 64 + 0.5) * h}, {h, h, h}).mass;
+  }
+  double const pi = 3.14159265358979;
+  CHECK(mass ==
+        Approx(0.4 * 0.4 * 0.4 + pi / 6 * 0.2 * 0.2 * 0.2).epsilon(1e-4));  // 4 cells to the surface, 8 points each
 }
 
 TEST_CASE("a JWL scene guards the pressure margin, not the sign", "[scene]") {

@@ -1,0 +1,54 @@
+#pragma once
+/// The parts of a scene on a grid of two or three dimensions, each read by one function. All throw InputError.
+#include "scheme/step/map_line_to_grid.hpp"
+#include "studies/driver/scene_parts.hpp"
+
+namespace g27 {
+
+/// [domain] extent is a list of intervals.
+bool is_grid(Section const& domain);
+
+/// [domain] extent with cells or cell.
+GridBox read_box(Section const& domain);
+int dimensions_of(GridBox const& box);
+
+/// [domain] boundary: every side's condition, in the order of Side.
+std::array<GridBoundary, 6> read_sides(Section const& domain, AnyEos const& eos, int dimensions);
+/// [[domain.patch]].
+std::vector<BoundaryPatch> read_patches(Section const& domain, AnyEos const& eos, int dimensions);
+/// [[block]]: boxes rounded to whole cells.
+std::vector<SolidBlock> read_blocks(Section const& root, GridBox const& box);
+
+/// Part of space with a state of its own.
+struct GridRegion {
+  std::string kind;                               ///< "ambient", "box", "sphere", "charge", ...
+  std::function<double(Vec3 const&)> distance{};  ///< to its surface, no more than the true one; < 0 inside
+  std::function<GasPoint(Vec3 const&)> state{};   ///< inside
+  bool uniform = true;                            ///< the state is the same everywhere
+  Vec3 centre{0, 0, 0};                           ///< of a sphere
+  double radius = 0;
+  InitialState radial{};  ///< of a sphere: the state over the distance to its centre
+  Section section;
+};
+struct GridRegions {
+  std::vector<GridRegion> list;  ///< the first is the ambient; later ones lie over earlier ones
+  std::optional<double> start;   ///< s, where a charge fixes it
+};
+/// [ambient], [[region]] and [[charge]].
+GridRegions read_regions(Section const& root, AnyEos const& eos, int dimensions);
+/// Cell averages: cells that a surface may cut by their mean over 8^3 (16^2) points, those whose state
+/// varies over 4^3 (4^2).
+GridInitial make_initial(std::vector<GridRegion> regions, AnyEos const& eos, int dimensions);
+
+/// [start]: a first phase in one dimension.
+std::optional<LineStart> read_line_start(Section const& root, GridRegions const& regions, GridRun const& grid,
+                                         double start, double end);
+
+/// Density, velocity (a list, by default at rest) and pressure, checked admissible.
+GasPoint read_point_state(Section const& section, AnyEos const& eos, int dimensions);
+/// Conserved densities of a state.
+GasDensities densities(AnyEos const& eos, GasPoint const& state);
+/// A direction of length 1.
+Vec3 read_normal(Section const& section, int dimensions);
+
+}  // namespace g27
