@@ -175,11 +175,20 @@ void print_text(Case const& chosen, CaseResult const& r) {
   fmt::print("{}", to_text(table));
 }
 
+/// Options that a case cannot make sense of are the user's mistake.
+CaseResult run(Case const& chosen, CaseOptions const& options) {
+  try {
+    return chosen.run(options);
+  } catch (std::invalid_argument const& error) {
+    throw InputError("g27 case", chosen.name, error.what(), "choose other options");
+  }
+}
+
 }  // namespace
 
 int command_case(CaseArguments const& arguments) {
   Case const chosen = find_by_name(all_cases(), arguments.name, "g27 case");
-  CaseResult const result = chosen.run(options_of(arguments, chosen));
+  CaseResult const result = run(chosen, options_of(arguments, chosen));
   if (arguments.json) {
     fmt::print("{}\n", json_of(result).dump(2));
   } else {

@@ -36,6 +36,9 @@ run(status=2)
 for wrong in (["rnu"], ["run", "no-such-scene"], ["case", "no-such-case"], ["study", "no-such-study"],
               ["exact", "no-such-solution"], ["figure", "no-such-figure"], ["bench", "no-such-benchmark"],
               ["list", "no-such-kind"], ["run", "sod", "--set", "domain.cels=3"], ["run", "--threads", "0"],
+              ["case", "sod", "--cure", "on"], ["case", "noh-2d", "--feet", "conservative"],
+              ["case", "wedge-2d", "--set", "angle_deg=60"], ["case", "wedge-2d", "--set", "angel=10"],
+              ["case", "forward-step", "--cells", "8"], ["case", "vortex-2d", "--mesh", "random"],
               ["check"], ["run", "sod", "--no-such-option"], ["exact", "riemann", "nonsense"]):
     done = run(*wrong, status=2)
     if done.stdout:
@@ -48,6 +51,17 @@ if set(everything) != {"scenes", "cases", "studies", "exact", "eos", "schemes", 
     problems.append(f"g27 list --json has the keys {sorted(everything)}")
 for scene in everything.get("scenes", []):
     run_json("check", scene["name"])
+
+# A line and a grid report the same things.
+line = run_json("case", "sod", "--cells", "40")
+grid = run_json("case", "carbuncle-2d", "--cells", "20", "--set", "steps=5", "--set", "mach=5", "--transverse",
+                "averaged", "--cure", "off", "--skip", "off", "--threads", "2", "--tile", "8", "8", "1")
+keys = {"case", "dimensions", "cells", "order", "switch", "steps", "cpu_s", "wall_s", "cell_updates_per_s", "errors",
+        "switch_fraction", "fallbacks", "ledger", "cells_skipped", "facts"}
+if not keys <= set(line) or set(line) != set(grid):
+    problems.append(f"g27 case --json: a line has {sorted(line)}, a grid {sorted(grid)}, expected {sorted(keys)}")
+if grid.get("dimensions") != 2 or grid.get("steps") != 5 or grid.get("fallbacks", {}).get("cured") != 0:
+    problems.append(f"g27 case carbuncle-2d does not do as it is told: {grid}")
 
 with tempfile.TemporaryDirectory() as folder:
     result = run_json("run", "sod", "--out", folder, "--no-figures")

@@ -148,7 +148,7 @@ Int3 grid_cells(GridProblem const& problem, int cells) {
     longest = std::max(longest, problem.upper[d] - problem.lower[d]);
   for (std::size_t d = 0; d < static_cast<std::size_t>(problem.dimensions); ++d) {
     double const share = (problem.upper[d] - problem.lower[d]) / longest;
-    n[d] = std::max(1, static_cast<int>(std::lround(cells * share)));
+    n[d] = std::max(4, static_cast<int>(std::lround(cells * share)));
   }
   return n;
 }

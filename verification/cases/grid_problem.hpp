@@ -45,7 +45,8 @@ void make_periodic(GridProblem& problem);
 /// Meshes of grid cases: "fixed", and "frame" where the case may be run in the frame of its mean flow.
 std::vector<std::string> grid_meshes(bool with_frame = false);
 
-/// Cells along each axis when the longest has `cells`: cubic where the box allows, else as near as whole numbers come.
+/// Cells along each axis when the longest has `cells`: cubic where the box allows, else as near as whole numbers come;
+/// at least 4.
 Int3 grid_cells(GridProblem const& problem, int cells);
 
 /// Runs the problem; throws std::runtime_error when a step fails. `cells` along the longest axis, unless the options
