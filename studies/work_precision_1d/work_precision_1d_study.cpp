@@ -9,7 +9,7 @@
 
 #include "studies/driver/lookup.hpp"
 #include "studies/driver/study.hpp"
-#include "studies/work_precision_1d/curve.hpp"
+#include "studies/orders/curve.hpp"
 #include "verification/cases/case.hpp"
 
 namespace g27 {

@@ -1,4 +1,4 @@
-#include "studies/work_precision_1d/curve.hpp"
+#include "studies/orders/curve.hpp"
 
 #include <gsl/gsl_fit.h>
 
