@@ -10,25 +10,27 @@
 
 namespace g27 {
 
+inline constexpr double cure_noise = 1e-12;    ///< waves below this share of rho, K, c are round-off
 inline constexpr double cure_alignment = 0.2;  ///< transverse over normal pressure difference up to which it acts
 
 /// A cell is in such a shock where over the three cells along an axis pressure changes by more than shock_pressure K
 /// (for an ideal gas: more than the least pressure), the velocity along it decreases, the shock moves over the grid no
-/// faster than the sound behind it, and the pressure differences along the other axes are small beside it. A flow of
-/// one dimension has nothing to cure. Shocks that move faster leave a cell before the waves have grown; there the cure
-/// would cost accuracy (a third of the error of a blast wave) and bring nothing.
+/// faster than the sound behind it (or than the square root of dp/drho), and the pressure differences along the other
+/// axes are small beside it. A flow of one dimension has nothing to cure. Shocks that move faster leave a cell before
+/// the waves have grown; there the cure would cost accuracy (a third of the error of a blast wave) and bring nothing.
 template <int dims, Lane V>
 G27_INLINE V shock_flag(RowIn const& primitive, double const* K, std::array<std::ptrdiff_t, 3> const& stride,
                         std::ptrdiff_t i) noexcept {
   V const p = load<V>(primitive.last + i), rho = load<V>(primitive.first + i), K_here = load<V>(K + i);
-  V most[dims];
+  V most[dims], d_p[dims];
   Mask<V> shock[dims], waves[dims], strong(false);
   unrolled<dims>([&](auto a) G27_INLINE_LAMBDA {
     std::ptrdiff_t const s = stride[a];
     V const below = load<V>(primitive.last + i - s), above = load<V>(primitive.last + i + s);
     V const K_least = min(K_here, min(load<V>(K + i - s), load<V>(K + i + s)));
     V const change = max(p, max(below, above)) - min(p, min(below, above));
-    most[a] = abs(above - below), waves[a] = above != p || p != below;
+    d_p[a] = above - below, most[a] = abs(d_p[a]);
+    waves[a] = abs(above - p) + abs(p - below) > cure_noise * K_here;
     shock[a] = change > parabolic::shock_pressure * K_least;
     strong = strong || shock[a];
   });
@@ -36,18 +38,22 @@ G27_INLINE V shock_flag(RowIn const& primitive, double const* K, std::array<std:
   if (!any(strong)) return flag;
   unrolled<dims>([&](auto a) G27_INLINE_LAMBDA {
     std::ptrdiff_t const s = stride[a];
-    auto const varies = [&](double const* q, V here)
-                            G27_INLINE_LAMBDA { return load<V>(q + s) != here || here != load<V>(q - s); };
-    waves[a] = waves[a] || varies(primitive.first + i, rho);
+    auto const changes = [&](double const* q) G27_INLINE_LAMBDA {
+      V const here = load<V>(q);
+      return abs(load<V>(q + s) - here) + abs(here - load<V>(q - s));
+    };
+    waves[a] = waves[a] || V(changes(primitive.first + i)) > cure_noise * rho;
     unrolled<dims>([&](auto c) G27_INLINE_LAMBDA {
-      double const* const u = primitive.vector[c] + i;
-      waves[a] = waves[a] || varies(u, load<V>(u));
+      V const change = changes(primitive.vector[c] + i);
+      waves[a] = waves[a] || change * change * rho > (cure_noise * cure_noise) * K_here;
     });
     V const rho_b = load<V>(primitive.first + i - s), rho_a = load<V>(primitive.first + i + s);
     V const u_b = load<V>(primitive.vector[a] + i - s), u_a = load<V>(primitive.vector[a] + i + s);
-    V const mass = rho_a * u_a - rho_b * u_b, c2 = max(load<V>(K + i - s) / rho_b, load<V>(K + i + s) / rho_a);
-    // its speed is the jump of the mass flux over that of density
-    shock[a] = shock[a] && u_a < u_b && mass * mass <= c2 * (rho_a - rho_b) * (rho_a - rho_b);
+    V const c2 = max(load<V>(K + i - s) / rho_b, load<V>(K + i + s) / rho_a);
+    // Its speed s is the jump of the mass flux over that of density; (u_1 - s)(u_2 - s) is that of pressure over it,
+    // halfway up the shock as well.
+    V const mass = rho_a * u_a - rho_b * u_b, d_rho = rho_a - rho_b;
+    shock[a] = shock[a] && u_a < u_b && mass * mass <= max(V(c2 * d_rho * d_rho), abs(V(d_p[a] * d_rho)));
   });
   unrolled<dims>([&](auto a) G27_INLINE_LAMBDA {
     Mask<V> in_shock = shock[a], disturbed(false);

@@ -69,7 +69,11 @@ struct ParabolicPredictor {
     };
     V const Ap = gp0 + gu0, Bp = gp1 + gu1, Cp = gp2 + gu2, Am = gp0 - gu0, Bm = gp1 - gu1, Cm = gp2 - gu2;
     V const hg_p = acoustic(Ap, Bp, Cp, l_p, fwd_p, Bp > 0.0), hg_m = acoustic(Am, Bm, Cm, l_m, fwd_m, Bm < 0.0);
-    V const hg_0 = field<true>(s, gs0, gs1, gs2, l_0, fwd_0, rho, rho, gate, c2, slow, switched, Mask<V>(false));
+    Mask<V> along(false);
+    if (s.incremented && s.own_increments) {
+      along = s.inc_a.rho != 0.0 || s.inc_b.rho != 0.0 || s.inc_a.p != 0.0 || s.inc_b.p != 0.0;
+    }
+    V const hg_0 = field<true>(s, gs0, gs1, gs2, l_0, fwd_0, rho, rho, gate, c2, slow, switched, along);
 
     // the star state without a solver: deviations of the three fields from the mean of the two cells
     auto const deviation = [&](V hg, V B, Mask<V> forward) G27_INLINE_LAMBDA {
@@ -82,7 +86,7 @@ struct ParabolicPredictor {
     V hg_0r = hg_0;
     if (any(stands)) {
       V again(0.0);
-      hg_0r = field<true>(s, gs0, gs1, gs2, l_0, Mask<V>(false), rho, rho, gate, c2, slow, again, Mask<V>(false));
+      hg_0r = field<true>(s, gs0, gs1, gs2, l_0, Mask<V>(false), rho, rho, gate, c2, slow, again, along);
       e_0 = select(stands, 0.5 * (e_0 + deviation(hg_0r, gs1, Mask<V>(false))), e_0);
     }
     if (s.incremented) {
@@ -190,10 +194,11 @@ struct ParabolicPredictor {
     return {face, any(face)};
   }
 
-  /// (h_u - s) times the bounded slope over the swept interval.
+  /// (h_u - s) times the bounded slope over the swept interval. `special`: of an acoustic field, the wave expands; of
+  /// the entropy, the gas moves along the face as well.
   template <bool entropy, Lane V>
   G27_INLINE static V field(Stencil<V> const& s, V A, V B, V C, V l, Mask<V> forward, V scale, V rho, V gate, V c2,
-                            Slow<V> const& slow, V& switched, Mask<V> expands) noexcept {
+                            Slow<V> const& slow, V& switched, Mask<V> special) noexcept {
     V const zero(0.0), one(1.0), h_sum = s.h_a + s.h_b;
     V const swept = abs(l), D = select(forward, A, C);
     V const h_u = s.uniform ? s.h_a : select(forward, s.h_a, s.h_b), h_d = h_sum - h_u;
@@ -208,7 +213,7 @@ struct ParabolicPredictor {
     V bound;
     if constexpr (!entropy) {
       // expansions bear a larger share of the face's own slope than shocks
-      V const share = select(expands, V(parabolic::share_expansion), V(parabolic::share_compression));
+      V const share = select(special, V(parabolic::share_expansion), V(parabolic::share_compression));
       bound = min(4.0 * d, share * size_B);
     } else {
       // Compression of a contact: where the slope is the steepest of three, by more than the threshold, and no
@@ -218,12 +223,13 @@ struct ParabolicPredictor {
       bound = up;
       if (any(large || beyond)) {
         V const curvature = min(abs(B - A), abs(B - C));
-        Mask<V> const steep = large && curvature > parabolic::compression * size_B && size_B > abs(A) &&
+        // A contact that is carried obliquely is compressed by every direction: there it keeps the acoustic bounds.
+        Mask<V> const steep = !special && large && curvature > parabolic::compression * size_B && size_B > abs(A) &&
                               size_B > abs(C) && gate <= parabolic::compression_sound * c2 * size_B;
         V const e = parabolic::least_share * h_u, from = swept + e, to = max(h_u - swept, e);
         V const each = 1.0 / (from * to);
         V const universal = min(min(2.0 * h_u * to * each, V(8.0)) * d, min(h_sum * from * each, V(8.0)) * size_B);
-        bound = select(beyond, universal, bound);
+        bound = select(beyond, select(special, min(4.0 * d, 2.0 * size_B), universal), bound);
         if (any(steep)) {
           V const share = min(one, curvature / max(parabolic::compression * size_B, V(1e-300)) - 1.0);
           up = select(steep, up + share * (max(universal, up) - up), up);
