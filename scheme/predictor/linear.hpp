@@ -31,15 +31,22 @@ struct LinearPredictor {
       V const p0 = (a.p - z.p) * s.pair_za, p1 = d_p * s.pair_ab, p2 = (y.p - b.p) * s.pair_by;
       V const u0 = Z * (a.u - z.u) * s.pair_za, u1 = Z * d_u * s.pair_ab, u2 = Z * (y.u - b.u) * s.pair_by;
       V const r0 = (a.rho - z.rho) * s.pair_za, r1 = d_rho * s.pair_ab, r2 = (y.rho - b.rho) * s.pair_by;
-      phi_p = switch_value<kind>(s, p0 + u0, p1 + u1, p2 + u2, v + c >= 0.0, K);
-      phi_m = switch_value<kind>(s, p0 - u0, p1 - u1, p2 - u2, v - c >= 0.0, K);
-      phi_0 = phi_0r = switch_value<kind>(s, r0 - p0 * inv_c2, r1 - p1 * inv_c2, r2 - p2 * inv_c2, v >= 0.0, rho);
+      V const Ap = p0 + u0, Bp = p1 + u1, Cp = p2 + u2, Am = p0 - u0, Bm = p1 - u1, Cm = p2 - u2;
+      V const A0 = r0 - p0 * inv_c2, B0 = r1 - p1 * inv_c2, C0 = r2 - p2 * inv_c2;
+      Mask<V> const fwd_p = v + c >= 0.0, fwd_m = v - c >= 0.0, fwd_0 = v >= 0.0;
+      // the graded switch leaves a field alone whose upwind slope is at least half of that across the face
+      auto const acts = [&](V A, V B, V C, Mask<V> forward)
+                            G27_INLINE_LAMBDA { return !(2.0 * select(forward, A, C) * B >= B * B) || B == 0.0; };
+      if (kind != Switch::graded ||
+          any(acts(Ap, Bp, Cp, fwd_p) || acts(Am, Bm, Cm, fwd_m) || acts(A0, B0, C0, fwd_0))) {
+        phi_p = switch_value<kind>(s, Ap, Bp, Cp, fwd_p, K);
+        phi_m = switch_value<kind>(s, Am, Bm, Cm, fwd_m, K);
+        phi_0 = phi_0r = switch_value<kind>(s, A0, B0, C0, fwd_0, rho);
+      }
       if constexpr (kind == Switch::graded) {
         // a contact that stands comes from both sides, each with its own neighbour: mirror images stay so
         if (Mask<V> const stands = v == 0.0; any(stands)) {
-          V const from_right =
-              switch_value<kind>(s, r0 - p0 * inv_c2, r1 - p1 * inv_c2, r2 - p2 * inv_c2, v > 0.0, rho);
-          phi_0r = select(stands, from_right, phi_0r);
+          phi_0r = select(stands, switch_value<kind>(s, A0, B0, C0, v > 0.0, rho), phi_0r);
         }
       }
     }
@@ -59,19 +66,21 @@ struct LinearPredictor {
                       b.p - phi_m * (1.0 - x_m) * d_p};
     // Outside the acoustic cone both families come from one side, each from its own foot.
     Mask<V> const from_left = v - c > 0.0, from_right = v + c < 0.0;
-    V const other_p_l = a.p + phi_m * x_m * d_p, other_u_l = a.u + phi_m * x_m * d_u;
-    V const other_p_r = b.p - phi_p * (1.0 - x_p) * d_p, other_u_r = b.u - phi_p * (1.0 - x_p) * d_u;
-    V p_l = 0.5 * (left.p + other_p_l) + 0.5 * Z * (left.u - other_u_l);
-    V u_l = 0.5 * (left.u + other_u_l) + 0.5 * inv_Z * (left.p - other_p_l);
-    V p_r = 0.5 * (other_p_r + right.p) + 0.5 * Z * (other_u_r - right.u);
-    V u_r = 0.5 * (other_u_r + right.u) + 0.5 * inv_Z * (other_p_r - right.p);
-    // tracing through a strong rarefaction may leave the physical range: take the cell
-    V const low = min(a.p, b.p) - 0.5 * min(a.K, b.K) / exponent;
-    Mask<V> const bad_l = p_l < low, bad_r = p_r < low;
-    p_l = select(bad_l, a.p, p_l), u_l = select(bad_l, a.u, u_l);
-    p_r = select(bad_r, b.p, p_r), u_r = select(bad_r, b.u, u_r);
-    left.p = select(from_left, p_l, left.p), left.u = select(from_left, u_l, left.u);
-    right.p = select(from_right, p_r, right.p), right.u = select(from_right, u_r, right.u);
+    if (any(from_left || from_right)) {
+      V const other_p_l = a.p + phi_m * x_m * d_p, other_u_l = a.u + phi_m * x_m * d_u;
+      V const other_p_r = b.p - phi_p * (1.0 - x_p) * d_p, other_u_r = b.u - phi_p * (1.0 - x_p) * d_u;
+      V p_l = 0.5 * (left.p + other_p_l) + 0.5 * Z * (left.u - other_u_l);
+      V u_l = 0.5 * (left.u + other_u_l) + 0.5 * inv_Z * (left.p - other_p_l);
+      V p_r = 0.5 * (other_p_r + right.p) + 0.5 * Z * (other_u_r - right.u);
+      V u_r = 0.5 * (other_u_r + right.u) + 0.5 * inv_Z * (other_p_r - right.p);
+      // tracing through a strong rarefaction may leave the physical range: take the cell
+      V const low = min(a.p, b.p) - 0.5 * min(a.K, b.K) / exponent;
+      Mask<V> const bad_l = p_l < low, bad_r = p_r < low;
+      p_l = select(bad_l, a.p, p_l), u_l = select(bad_l, a.u, u_l);
+      p_r = select(bad_r, b.p, p_r), u_r = select(bad_r, b.u, u_r);
+      left.p = select(from_left, p_l, left.p), left.u = select(from_left, u_l, left.u);
+      right.p = select(from_right, p_r, right.p), right.u = select(from_right, u_r, right.u);
+    }
 
     // entropy rides with the contact: density at its own foot, moved along the isentrope to the acoustic pressure
     V rho_l = a.rho + phi_0 * x_0 * d_rho, pz_l = a.p + phi_0 * x_0 * d_p;
