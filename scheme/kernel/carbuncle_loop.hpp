@@ -10,7 +10,7 @@
 
 namespace g27 {
 
-inline constexpr double cure_noise = 1e-12;    ///< waves below this share of rho, K, c are round-off
+inline constexpr double cure_noise = 1e-14;    ///< waves below this share of rho, K, c are round-off
 inline constexpr double cure_alignment = 0.2;  ///< transverse over normal pressure difference up to which it acts
 
 /// A cell is in such a shock where over the three cells along an axis pressure changes by more than shock_pressure K
