@@ -67,7 +67,10 @@ std::vector<TileId> GasGrid::Impl::active() const {
 
 void GasGrid::Impl::run(std::vector<TileId> const& ids) {
   std::ptrdiff_t const n = static_cast<std::ptrdiff_t>(ids.size());
-  int const threads = std::min<int>(setup.options.threads, static_cast<int>(std::max<std::ptrdiff_t>(n, 1)));
+  std::size_t cells = 0;
+  for (TileId id : ids) cells += tiles[static_cast<std::size_t>(id)].cells();
+  std::size_t const worth = cells / static_cast<std::size_t>(std::max(1, setup.options.cells_per_thread));
+  int const threads = static_cast<int>(std::min({static_cast<std::size_t>(setup.options.threads), ids.size(), worth}));
   if (threads <= 1) {
     for (TileId id : ids) works[0]->step(id);
     return;

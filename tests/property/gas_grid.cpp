@@ -169,7 +169,7 @@ TEST_CASE("results depend neither on threads nor on tiles nor on what is skipped
   CHECK(counters.cells_skipped > 0);
   CHECK(counters.cured + counters.repaired + counters.retried < counters.faces);
   GasGridSetup threads = tiled;
-  threads.options.threads = 3;
+  threads.options.threads = 3, threads.options.cells_per_thread = 1;
   CHECK(run(threads, 10) == reference);
   GasGridSetup computed = tiled;
   computed.options.skip = false;
