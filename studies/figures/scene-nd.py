@@ -53,8 +53,9 @@ def draw_slice(axis, state, field, plane):
     first, across, second, up, values, where = plane
     values = np.where(state_is_gas(values), values, np.nan)
     values, unit = scaled(values, text(state[field].attrs["units"]))
-    across, x_unit = scaled(across, "m")
-    up, y_unit = scaled(up, "m")
+    # one unit for both axes: they are drawn to one scale
+    both, length = scaled(np.concatenate([across, up]), "m")
+    across, up = both[:across.size], both[across.size:]
     low, high = np.nanmin(values), np.nanmax(values)
     spread = low > 0 and high > 20 * low
     mesh = axis.pcolormesh(across, up, values, cmap="viridis" if field == "density" else "inferno",
@@ -62,8 +63,8 @@ def draw_slice(axis, state, field, plane):
     plt.colorbar(mesh, ax=axis, label=f"{field} [{unit}]")
     axis.set_aspect("equal")
     axis.set_facecolor("0.6")
-    axis.set_xlabel(f"{first} [{x_unit}]")
-    axis.set_ylabel(f"{second} [{y_unit}]")
+    axis.set_xlabel(f"{first} [{length}]")
+    axis.set_ylabel(f"{second} [{length}]")
     time, t_unit = scaled(np.array([state.attrs["time"]]), "s")
     axis.set_title(f"t = {time[0]:.4g} {t_unit}{where}", fontsize=9)
 

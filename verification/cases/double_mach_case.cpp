@@ -7,7 +7,7 @@ namespace g27 {
 
 Case double_mach_case() {
   return {.name = "double-mach",
-          .title = "double Mach reflection of a Mach 10 shock on a wall at 30 degrees",
+          .title = "double Mach reflection: a shock of Mach 10 meets a wall at 60 degrees",
           .source = "Woodward and Colella, J. Comput. Phys. 54 (1984) 115, section IV.C",
           .dimensions = 2,
           .default_cells = 480,
