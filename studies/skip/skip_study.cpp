@@ -15,8 +15,8 @@
 namespace g27 {
 namespace {
 
-constexpr int cells = 48;
-constexpr std::array radii{0.35, 0.55, 0.8};  ///< of the front, where runs are compared [m]
+constexpr int cells = 32;
+constexpr std::array radii{0.25, 0.4, 0.55};  ///< of the front, where runs are compared [m]
 
 struct Blast {
   char const* name;
@@ -30,7 +30,7 @@ double const box = 1.0;
 GasGridSetup octant(Blast const& b, bool skip, bool linear_star) {
   GasGridSetup setup{.eos = IdealGas{b.gamma}, .upper = {box, box, box}, .cells = {cells, cells, cells}};
   for (std::size_t s : {0u, 2u, 4u}) setup.sides[s].kind = GridBoundary::Kind::wall;
-  setup.options.skip = skip, setup.options.linear_star = linear_star, setup.options.tile = {16, 12, 12};
+  setup.options.skip = skip, setup.options.linear_star = linear_star, setup.options.tile = {16, 8, 8};
   return setup;
 }
 
