@@ -176,7 +176,7 @@ bool GasGrid::Impl::floor_vacuum(std::vector<TileId> const& ids, Int3& cell) {
 }
 
 bool GasGrid::Impl::try_step(double dt, std::vector<TileId> const& ids, double& new_rate, Int3& cell) {
-  context.time = context.time, context.dt = dt;
+  context.dt = dt;
   run(ids);
   auto const worst = [&] {
     double least = 1;

@@ -30,7 +30,7 @@ struct GasTile {
   std::vector<unsigned char> redo;  ///< cells whose faces are redone at first order in this step; empty: none
 
   /// Results of a step.
-  double worst = 1, rate = 0, seconds = 0;
+  double worst = 1, rate = 0;
   bool differs = false;
   std::size_t failures = 0;
   double faces = 0, switched = 0, strong = 0, cured = 0, redone = 0;
