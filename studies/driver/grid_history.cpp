@@ -7,8 +7,6 @@
 namespace g27 {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
 void add(GasPoint& sum, double weight, GasPoint const& s) {
   sum.rho += weight * s.rho, sum.p += weight * s.p;
   for (std::size_t d = 0; d < 3; ++d) {

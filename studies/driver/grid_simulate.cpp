@@ -17,8 +17,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 GridBox box_of(GasGridSetup const& setup) { return {setup.lower, setup.upper, setup.cells}; }

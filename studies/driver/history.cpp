@@ -8,8 +8,6 @@
 namespace g27 {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
 double centre(GasLine const& line, std::size_t cell) { return (line.faces()[cell] + line.faces()[cell + 1]) / 2; }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 /// What a run records as it goes: named columns over time.
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -7,6 +8,9 @@
 #include "studies/driver/scene.hpp"
 
 namespace g27 {
+
+/// What a history holds where there is nothing to tell.
+inline constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 struct HistoryColumn {
   std::string name;  ///< "time", "shock_position", "right_pressure", "probe/near/pressure", ...

@@ -9,7 +9,7 @@ namespace g27 {
 namespace {
 
 constexpr int fewest_cells = 4, most_along = 8192;
-constexpr double most_cells = 2e9;
+constexpr double most_grid_cells = 2e9;
 
 std::array<int, 3> read_counts(Section const& domain, std::vector<std::array<double, 2>> const& extent) {
   std::array<int, 3> out{1, 1, 1};
@@ -63,9 +63,9 @@ GridBox read_box(Section const& domain) {
     box.lower[d] = extent[d][0], box.upper[d] = extent[d][1];
     count *= box.cells[d];
   }
-  if (count > most_cells) {
+  if (count > most_grid_cells) {
     throw domain.error(domain.has("cells") ? "cells" : "cell", fmt::format("makes {:.3g} cells", count),
-                       fmt::format("choose it for {:.0g} cells or fewer", most_cells));
+                       fmt::format("choose it for {:.0g} cells or fewer", most_grid_cells));
   }
   return box;
 }

@@ -9,11 +9,6 @@
 namespace g27 {
 namespace {
 
-std::vector<std::string> with_state_keys(std::vector<std::string> keys) {
-  keys.insert(keys.end(), {"material", "density", "velocity", "pressure"});
-  return keys;
-}
-
 double length(Vec3 const& v) { return std::hypot(v[0], v[1], v[2]); }
 Vec3 operator-(Vec3 const& a, Vec3 const& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 

@@ -11,13 +11,6 @@
 namespace g27 {
 namespace {
 
-std::vector<std::string> const state_keys{"material", "density", "velocity", "pressure"};
-
-std::vector<std::string> with_state_keys(std::vector<std::string> keys) {
-  keys.insert(keys.end(), state_keys.begin(), state_keys.end());
-  return keys;
-}
-
 struct Piece {
   double from, to;
   InitialState state;
@@ -157,6 +150,11 @@ InitialState read_table(Section const& section, AnyEos const& eos, double left, 
 
 }  // namespace
 
+std::vector<std::string> with_state_keys(std::vector<std::string> keys) {
+  keys.insert(keys.end(), {"material", "density", "velocity", "pressure"});
+  return keys;
+}
+
 void check_admissible(Section const& where, AnyEos const& eos, GasState<> const& state) {
   if (!(state.rho > 0)) {
     throw where.error("density", fmt::format("{} kg/m3 is not positive", state.rho), "give a density > 0");
@@ -196,7 +194,7 @@ InitialData read_initial(Section const& root, AnyEos const& eos, Symmetry symmet
   }
   std::optional<GasState<>> ambient;
   if (root.has("ambient")) {
-    ambient = read_state(root.table("ambient", state_keys), eos);
+    ambient = read_state(root.table("ambient", with_state_keys({})), eos);
   }
   std::vector<Piece> pieces;
   for (Section const& region : root.tables("region", with_state_keys({"extent"}))) {

@@ -48,6 +48,8 @@ OutputPlan read_output(Section const& root, double start, double end, Extent con
 std::vector<Expectation> read_expectations(Section const& root, std::vector<std::string> const& variants,
                                            int dimensions);
 
+/// `keys` and those of a state: material, density, velocity, pressure.
+std::vector<std::string> with_state_keys(std::vector<std::string> keys);
 /// Density, velocity, pressure of a section, checked admissible for `eos`.
 GasState<> read_state(Section const& section, AnyEos const& eos);
 /// Throws through `where` unless density > 0 and the pressure margin > 0.
