@@ -16,6 +16,8 @@ concept EquationOfState = requires(E const& eos, double x, Simd v) {
   /// specific internal energy [J/kg] of (rho [kg/m^3], p [Pa])
   { eos.energy(x, x) } -> std::same_as<double>;
   { eos.energy(v, v) } -> std::same_as<Simd>;
+  /// the same per volume, rho e [J/m^3]
+  { eos.energy_density(v, v) } -> std::same_as<Simd>;
   /// pressure [Pa] of (rho, e)
   { eos.pressure(x, x) } -> std::same_as<double>;
   { eos.pressure(v, v) } -> std::same_as<Simd>;

@@ -21,6 +21,12 @@ struct IdealGas {
   [[nodiscard]] G27_INLINE V energy(V rho, V p) const noexcept {
     return p / ((gamma - 1.0) * rho);
   }
+  /// rho e = p first + second.
+  [[nodiscard]] std::array<double, 2> energy_line() const noexcept { return {1.0 / (gamma - 1.0), 0.0}; }
+  template <Lane V>
+  [[nodiscard]] G27_INLINE V energy_density(V /*rho*/, V p) const noexcept {
+    return p * (1.0 / (gamma - 1.0));
+  }
   template <Lane V>
   [[nodiscard]] G27_INLINE V pressure(V rho, V e) const noexcept {
     return (gamma - 1.0) * rho * e;

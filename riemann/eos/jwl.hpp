@@ -34,6 +34,10 @@ struct Jwl {
     return (a * (1.0 / R1) + b * (1.0 / R2) + (p - a - b) * v * (1.0 / omega)) * (1.0 / rho0);
   }
   template <Lane V>
+  [[nodiscard]] G27_INLINE V energy_density(V rho, V p) const noexcept {
+    return rho * energy(rho, p);
+  }
+  template <Lane V>
   [[nodiscard]] G27_INLINE V pressure(V rho, V e) const noexcept {
     auto const [v, a, b] = exponentials(rho);
     return a + b + (rho0 * e - a * (1.0 / R1) - b * (1.0 / R2)) * omega / v;

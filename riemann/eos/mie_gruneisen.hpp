@@ -40,6 +40,10 @@ struct MieGruneisen {
     return (p - reference(rho).f) * (1.0 / (Gamma0 * rho0));
   }
   template <Lane V>
+  [[nodiscard]] G27_INLINE V energy_density(V rho, V p) const noexcept {
+    return rho * energy(rho, p);
+  }
+  template <Lane V>
   [[nodiscard]] G27_INLINE V pressure(V rho, V e) const noexcept {
     return reference(rho).f + Gamma0 * rho0 * e;
   }

@@ -23,6 +23,14 @@ struct StiffenedGas {
   [[nodiscard]] G27_INLINE V energy(V rho, V p) const noexcept {
     return (p + gamma * p_inf) / ((gamma - 1.0) * rho);
   }
+  /// rho e = p first + second.
+  [[nodiscard]] std::array<double, 2> energy_line() const noexcept {
+    return {1.0 / (gamma - 1.0), gamma * p_inf / (gamma - 1.0)};
+  }
+  template <Lane V>
+  [[nodiscard]] G27_INLINE V energy_density(V /*rho*/, V p) const noexcept {
+    return (p + gamma * p_inf) * (1.0 / (gamma - 1.0));
+  }
   template <Lane V>
   [[nodiscard]] G27_INLINE V pressure(V rho, V e) const noexcept {
     return (gamma - 1.0) * rho * e - gamma * p_inf;

@@ -48,7 +48,7 @@ std::array<GasKernels const*, 8> const& runnable_gas_kernels() noexcept {
   return tables;
 }
 
-GasKernels const& gas_kernels() noexcept {
+GasKernels const& gas_kernels() {
   static GasKernels const* const chosen = [] {
     char const* const wanted = std::getenv("G27_ISA");
     GasKernels const* best = nullptr;
@@ -59,6 +59,7 @@ GasKernels const& gas_kernels() noexcept {
     }
     return best;
   }();
+  if (chosen == nullptr) throw std::runtime_error("built for none of the instruction sets of this machine (G27_ISAS)");
   return *chosen;
 }
 

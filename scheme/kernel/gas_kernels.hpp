@@ -33,6 +33,14 @@ constexpr bool is_third_order(PredictorKernel p) noexcept {
 /// The kernel of a scheme. Throws std::invalid_argument for choices that do not go together.
 PredictorKernel predictor_kernel(Predictor predictor, Switch monotonicity, FootPoints feet, bool single_foot);
 
+/// Fluxes of weak faces straight from the predictor, for laws with rho e = p per_pressure + at_zero: the star state and
+/// its change need not be stored where a whole vector is weak. Fixed meshes only; MUSCL does not give them.
+struct FluxesAtOnce {
+  double per_pressure = 0, at_zero = 0;
+  bool keep_states = false;                                        ///< store them all the same
+  double *mass = nullptr, *momentum = nullptr, *energy = nullptr;  ///< out, faces; null: not wanted
+};
+
 /// Arrays are indexed by the face: cell arrays so that [-stride], [0] | [stride], [2 stride] are the cells around face
 /// 0: stride 1 for the faces of a row, the distance of two rows for the faces between them. Widths and mesh factors
 /// keep a stride of 1: where the rows lie across the faces they are the same for all.
@@ -56,6 +64,7 @@ struct PredictArguments {
   /// Null: not wanted
   double *d_rho, *d_u, *d_p;
   double* strong;  ///< out: 1 where the Riemann problem is to be solved, else 0
+  FluxesAtOnce at_once{};
 };
 
 /// Counts over a chunk of faces.
@@ -77,6 +86,7 @@ struct SolveArguments {
   double *f_mass, *f_momentum, *f_energy;  ///< out, faces: fluxes per area through the moving face
   double *face_p, *face_u;                 ///< out, faces
   double const *d_rho, *d_u, *d_p;         ///< from the predictor; null: none
+  bool weak_done;                          ///< the fluxes of weak faces are there already
   std::size_t failures;                    ///< out: problems that did not converge
 };
 
@@ -125,6 +135,8 @@ struct EosKernels {
   Primitive primitive;
   Update update;
   Average average;
+  /// Of a law with rho e = p first + second: the two; {0, 0}: it is none.
+  std::array<double, 2> (*energy_line)(void const* eos);
   GridEosKernels grid;  ///< two and three dimensions
 };
 
@@ -148,7 +160,7 @@ struct GasKernels {
 
 /// Tables that this machine can run, the best last.
 std::array<GasKernels const*, 8> const& runnable_gas_kernels() noexcept;
-/// The best table, or the one that the environment variable G27_ISA names.
-GasKernels const& gas_kernels() noexcept;
+/// The best table, or the one that the environment variable G27_ISA names. Throws std::runtime_error without any.
+GasKernels const& gas_kernels();
 
 }  // namespace g27

@@ -17,6 +17,11 @@ struct RowOut {
 struct RowIn {
   double const *first = nullptr, *vector[3]{nullptr, nullptr, nullptr}, *last = nullptr;
   RowIn() = default;
+  static RowIn of(std::array<double const*, 5> const& q) noexcept {
+    RowIn r;
+    r.first = q[0], r.vector[0] = q[1], r.vector[1] = q[2], r.vector[2] = q[3], r.last = q[4];
+    return r;
+  }
   RowIn(RowOut const& o) : first(o.first), vector{o.vector[0], o.vector[1], o.vector[2]}, last(o.last) {}
 };
 

@@ -13,10 +13,11 @@ void grid_primitive(GridPrimitiveArguments const& g) noexcept {
   E const& eos = *static_cast<E const*>(g.eos);
   for (std::size_t i = 0; i < g.cells; i += width<V>) {
     V const rho = load<V>(g.conserved.first + i);
+    V const inv = 1.0 / rho;
     V u[dims];
 #pragma GCC unroll 3
-    for (int a = 0; a < dims; ++a) u[a] = load<V>(g.conserved.vector[a] + i) / rho;
-    V e = load<V>(g.conserved.last + i) / rho - 0.5 * u[0] * u[0];
+    for (int a = 0; a < dims; ++a) u[a] = load<V>(g.conserved.vector[a] + i) * inv;
+    V e = load<V>(g.conserved.last + i) * inv - 0.5 * u[0] * u[0];
 #pragma GCC unroll 3
     for (int a = 1; a < dims; ++a) e -= 0.5 * u[a] * u[a];
     V const p = eos.pressure(rho, e);
@@ -109,16 +110,16 @@ void grid_finish(GridFinishArguments& g) noexcept {
   bool differs = g.differs;
   for (std::size_t i = 0; i < g.cells; i += width<V>) {
     V const mass = load<V>(g.conserved.first + i), energy = load<V>(g.conserved.last + i);
+    V const inv = 1.0 / mass;
     V u[dims];
 #pragma GCC unroll 3
-    for (int a = 0; a < dims; ++a) u[a] = load<V>(g.conserved.vector[a] + i) / mass;
-    V e = energy / mass - 0.5 * u[0] * u[0];
+    for (int a = 0; a < dims; ++a) u[a] = load<V>(g.conserved.vector[a] + i) * inv;
+    V e = energy * inv - 0.5 * u[0] * u[0];
 #pragma GCC unroll 3
     for (int a = 1; a < dims; ++a) e -= 0.5 * u[a] * u[a];
     V const p = eos.pressure(mass, e), K = eos.bulk_modulus(mass, p), margin = eos.pressure_margin(mass, p);
-    V const share = min(mass / load<V>(g.rho_old + i), margin / load<V>(g.margin_old + i));
-    V const safe = select(share > 0.0 && share < 1e300, share, V(-1.0));
-    V const c = sqrt(V(K / mass));
+    V const safe = share_left(mass, load<V>(g.rho_old + i), margin, load<V>(g.margin_old + i));
+    V const c = sqrt(V(K * inv));
     V speed(0.0);
 #pragma GCC unroll 3
     for (int a = 0; a < dims; ++a) {

@@ -1,5 +1,6 @@
 #pragma once
 /// Loops over the faces of a row: gathers the stencil, calls the predictor, stores what the solver needs.
+#include "scheme/kernel/flux.hpp"
 #include "scheme/kernel/gas_kernels.hpp"
 #include "scheme/predictor/godunov.hpp"
 #include "scheme/predictor/linear.hpp"
@@ -22,12 +23,30 @@ G27_INLINE GasState<V> right_increment(PredictArguments const& g, std::ptrdiff_t
 }
 
 /// Stores one vector of predictions; the two sides only where a problem is left to solve.
-template <Lane V>
+template <bool third_order, Lane V>
 G27_INLINE void store_prediction(PredictArguments const& g, std::size_t f, FacePrediction<V> const& r) noexcept {
-  store(g.s_rho + f, r.star.rho), store(g.s_u + f, r.star.u), store(g.s_p + f, r.star.p);
+  bool const solved = all(r.weak);
   store(g.switched + f, r.switched);
   store(g.strong + f, select(r.weak, V(0.0), V(1.0)));
-  if (!all(r.weak)) {
+  FluxesAtOnce const& o = g.at_once;
+  if (o.mass != nullptr) {
+    V const scale(o.per_pressure), zero(o.at_zero);
+    auto const energy_density = [&](V, V p) G27_INLINE_LAMBDA { return V(p * scale + zero); };
+    GasConserved<V> q;
+    if constexpr (third_order) {
+      q = mean_flux(r.star, r.change, V(0.0), energy_density);
+    } else {
+      q = flux_of(r.star.rho, r.star.u, r.star.p, energy_density(r.star.rho, r.star.p), V(0.0));
+    }
+    store(o.mass + f, q.mass), store(o.momentum + f, q.momentum), store(o.energy + f, q.energy);
+  }
+  if (o.mass == nullptr || g.at_once.keep_states || !solved) {
+    store(g.s_rho + f, r.star.rho), store(g.s_u + f, r.star.u), store(g.s_p + f, r.star.p);
+    if constexpr (third_order) {
+      store(g.d_rho + f, r.change.rho), store(g.d_u + f, r.change.u), store(g.d_p + f, r.change.p);
+    }
+  }
+  if (!solved) {
     store(g.l_rho + f, r.left.rho), store(g.l_u + f, r.left.u), store(g.l_p + f, r.left.p);
     store(g.r_rho + f, r.right.rho), store(g.r_u + f, r.right.u), store(g.r_p + f, r.right.p);
   }
@@ -76,11 +95,7 @@ void predict(PredictArguments const& g) noexcept {
     if constexpr (Predictor::third_order) {
       s.a.dK_dp = load<V>(g.dK_dp + f), s.b.dK_dp = load<V>(g.dK_dp + f + g.stride);
     }
-    FacePrediction<V> const r = Predictor::predict(s, g.exponent);
-    store_prediction(g, static_cast<std::size_t>(f), r);
-    if constexpr (Predictor::third_order) {
-      store(g.d_rho + f, r.change.rho), store(g.d_u + f, r.change.u), store(g.d_p + f, r.change.p);
-    }
+    store_prediction<Predictor::third_order>(g, static_cast<std::size_t>(f), Predictor::predict(s, g.exponent));
   }
 }
 

@@ -4,6 +4,7 @@
 #include "riemann/gas/exact_ideal.hpp"
 #include "riemann/gas/exact_jwl.hpp"
 #include "riemann/gas/hllc.hpp"
+#include "scheme/kernel/flux.hpp"
 #include "scheme/kernel/gas_kernels.hpp"
 
 namespace g27 {
@@ -85,31 +86,30 @@ void solve_strong(SolveArguments& g, E const& eos) noexcept {
   if (held > 0) flush(held);
 }
 
-/// Flux of a face state through a face moving at w: mass, momentum with the pressure, energy with its work.
-template <class E, Lane V>
-G27_INLINE GasConserved<V> flux_of(E const& eos, V rho, V u, V p, V w) noexcept {
-  V const m = rho * (u - w);
-  // in a vacuum nothing flows, but its energy per mass must not be 0/0
-  V const e = eos.energy(max(rho, V(1e-200)), p);
-  return {m, V(m * u + p), V(m * (e + 0.5 * u * u) + p * u)};
-}
-
 /// Fluxes of the face states; where a predictor gave the change over the step, averaged over it.
 template <class E, Lane V>
 void fluxes_of_states(SolveArguments& g, E const& eos) noexcept {
+  // in a vacuum nothing flows, but its energy per mass must not be 0/0
+  auto const energy_density = [&](V rho, V p) G27_INLINE_LAMBDA { return eos.energy_density(max(rho, V(1e-200)), p); };
   for (std::size_t f = 0; f < g.faces; f += width<V>) {
-    V const rho = load<V>(g.s_rho + f), u = load<V>(g.s_u + f), p = load<V>(g.s_p + f), w = load<V>(g.w + f);
-    store(g.face_p + f, p), store(g.face_u + f, u);
+    Mask<V> const strong = load<V>(g.strong + f) > 0.5;
+    bool const wanted = !g.weak_done || any(strong);
+    if (!wanted && g.face_p == nullptr) continue;
+    GasState<V> const s{load<V>(g.s_rho + f), load<V>(g.s_u + f), load<V>(g.s_p + f)};
+    if (g.face_p != nullptr) store(g.face_p + f, s.p), store(g.face_u + f, s.u);
+    if (!wanted) continue;
+    V const w = load<V>(g.w + f);
     GasConserved<V> q;
     if (g.lagrangian) {
-      q = {V(0.0), p, V(p * u)};
+      q = {V(0.0), s.p, V(s.p * s.u)};
     } else if (g.d_rho == nullptr) {
-      q = flux_of(eos, rho, u, p, w);
+      q = flux_of(s.rho, s.u, s.p, energy_density(s.rho, s.p), w);
     } else {
-      V const d_rho = load<V>(g.d_rho + f), d_u = load<V>(g.d_u + f), d_p = load<V>(g.d_p + f);
-      GasConserved<V> const a = flux_of(eos, V(rho - d_rho), V(u - d_u), V(p - d_p), w);
-      GasConserved<V> const b = flux_of(eos, V(rho + d_rho), V(u + d_u), V(p + d_p), w);
-      q = {0.5 * (a.mass + b.mass), 0.5 * (a.momentum + b.momentum), 0.5 * (a.energy + b.energy)};
+      q = mean_flux(s, {load<V>(g.d_rho + f), load<V>(g.d_u + f), load<V>(g.d_p + f)}, w, energy_density);
+    }
+    if (g.weak_done) {
+      q = {select(strong, q.mass, load<V>(g.f_mass + f)), select(strong, q.momentum, load<V>(g.f_momentum + f)),
+           select(strong, q.energy, load<V>(g.f_energy + f))};
     }
     store(g.f_mass + f, q.mass), store(g.f_momentum + f, q.momentum), store(g.f_energy + f, q.energy);
   }
@@ -136,6 +136,7 @@ void fluxes_hllc(SolveArguments& g, E const& eos) noexcept {
     // pressure and velocity of the contact, linearised: for the geometric terms and the histories
     V const z_l = sqrt(eos.bulk_modulus(l.rho, l.p) * l.rho), z_r = sqrt(eos.bulk_modulus(r.rho, r.p) * r.rho);
     V const inv = 1.0 / (z_l + z_r);
+    if (g.face_p == nullptr) continue;
     store(g.face_p + f, V((z_r * l.p + z_l * r.p - z_l * z_r * (r.u - l.u)) * inv));
     store(g.face_u + f, V((z_l * l.u + z_r * r.u - (r.p - l.p)) * inv + w));
   }

@@ -6,14 +6,14 @@ namespace g27 {
 
 template <class E, Lane V>
 struct Primitives {
-  V rho, u, p, K, margin;
+  V rho, inv_rho, u, p, K, margin;
 };
 
 template <class E, Lane V>
 G27_INLINE Primitives<E, V> primitives_of(E const& eos, V mass, V momentum, V energy) noexcept {
-  V const u = momentum / mass, e = energy / mass - 0.5 * u * u;
+  V const inv = 1.0 / mass, u = momentum * inv, e = energy * inv - 0.5 * u * u;
   V const p = eos.pressure(mass, e);
-  return {mass, u, p, eos.bulk_modulus(mass, p), eos.pressure_margin(mass, p)};
+  return {mass, inv, u, p, eos.bulk_modulus(mass, p), eos.pressure_margin(mass, p)};
 }
 
 template <class E, Lane V>
@@ -29,6 +29,14 @@ void primitive(PrimitiveArguments const& g) noexcept {
     store_primitives(primitives_of<E, V>(eos, load<V>(g.mass + i), load<V>(g.momentum + i), load<V>(g.energy + i)),
                      g.rho, g.u, g.p, g.K, g.margin, i);
   }
+}
+
+/// Least of rho/rho_old and margin/margin_old; -1 where it is no number > 0. Where both are above a tenth: 1.
+template <Lane V>
+G27_INLINE V share_left(V rho, V rho_old, V margin, V margin_old) noexcept {
+  if (all(rho > 0.1 * rho_old && margin > 0.1 * margin_old && rho < 1e300 && margin < 1e300)) return V(1.0);
+  V const share = min(rho / rho_old, margin / margin_old);
+  return select(share > 0.0 && share < 1e300, share, V(-1.0));
 }
 
 template <bool plain, class E, Lane V>
@@ -73,10 +81,9 @@ void update_row(UpdateArguments& g, E const& eos) noexcept {
     Primitives<E, V> const s = primitives_of<E, V>(eos, mass, momentum, energy);
     V const rho_old = load<V>(g.rho_old + i), margin_old = load<V>(g.margin_old + i);
     store_primitives(s, g.rho, g.u, g.p, g.K, g.margin, i);
-    V const share = min(s.rho / rho_old, s.margin / margin_old);
-    V const safe = select(share > 0.0 && share < 1e300, share, V(-1.0));
+    V const safe = share_left(s.rho, rho_old, s.margin, margin_old);
     V const inv_h = plain ? V(g.inv_width) : load<V>(g.inv_h + i);
-    V const speed = (abs(s.u) + sqrt(s.K / s.rho)) * inv_h;
+    V const speed = (abs(s.u) + sqrt(V(s.K * s.inv_rho))) * inv_h;
     if (i + width<V> <= g.cells) {
       worst = min(worst, safe), rate = max(rate, speed);
     } else {

@@ -132,7 +132,7 @@ struct ParabolicPredictor {
                                 half_rate * (s.inc_a.p + s.inc_b.p)};
         rate = {rate.rho + extra.rho, rate.u + extra.u, rate.p + extra.p};
         // dK/dt: its isentropic part, and the rest with dK/dp at constant density
-        V const along = c2 * extra.rho, extra_K = dK_dp * along + exponent * (extra.p - along);
+        V const isentropic = c2 * extra.rho, extra_K = dK_dp * isentropic + exponent * (extra.p - isentropic);
         q.rho -= extra.u * half.rho + extra.rho * half.u;
         q.u -= extra.u * half.u - extra.rho * half.p * inv_rho * inv_rho;
         q.p -= extra_K * half.u + extra.u * half.p;

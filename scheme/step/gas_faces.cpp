@@ -60,7 +60,8 @@ bool GasLine::Impl::set_increments(double dt) {
   return true;
 }
 
-void GasLine::Impl::predict(FaceRun const& run, std::ptrdiff_t f, std::size_t count, FaceProblems& b) const noexcept {
+void GasLine::Impl::predict(FaceRun const& run, std::ptrdiff_t f, std::size_t count, FaceProblems& b,
+                            FluxesAtOnce const& at_once) const noexcept {
   std::ptrdiff_t const c = f - 1;  // the cell on the left of face f
   bool const averaged = is_third_order(run.predictor);
   predict_row(run, count,
@@ -78,11 +79,11 @@ void GasLine::Impl::predict(FaceRun const& run, std::ptrdiff_t f, std::size_t co
                .inc_p = inc_p.data() + c,
                .foot_shift = cell_feet ? line.foot_shift[run.side].data() + f : nullptr,
                .foot_factor = cell_feet ? line.foot_factor[run.side].data() + f : nullptr},
-              b);
+              b, at_once);
 }
 
-void GasLine::Impl::predict_row(FaceRun const& run, std::size_t count, PredictorRow const& row,
-                                FaceProblems& b) const noexcept {
+void GasLine::Impl::predict_row(FaceRun const& run, std::size_t count, PredictorRow const& row, FaceProblems& b,
+                                FluxesAtOnce const& at_once) const noexcept {
   PredictArguments const g{.faces = count,
                            .stride = 1,
                            .own_increments = false,
@@ -119,7 +120,8 @@ void GasLine::Impl::predict_row(FaceRun const& run, std::size_t count, Predictor
                            .d_rho = b.d_rho.data(),
                            .d_u = b.d_u.data(),
                            .d_p = b.d_p.data(),
-                           .strong = b.strong.data()};
+                           .strong = b.strong.data(),
+                           .at_once = at_once};
   kernels.predict->table[static_cast<std::size_t>(run.predictor)][line.uniform() ? 1 : 0](g);
 }
 
@@ -137,7 +139,7 @@ void GasLine::Impl::predict_mirrored(FaceRun const& run, std::ptrdiff_t f, FaceP
   }
   m.w[0] = -line.w[f], m.w[-1] = -line.w[f + 1];
   if (cell_feet) m.foot_shift[0] = -line.foot_shift[run.side][f], m.foot_factor[0] = line.foot_factor[run.side][f];
-  predict_row(run, 1, m.row(), b);
+  predict_row(run, 1, m.row(), b, {});
 }
 
 std::size_t GasLine::Impl::solve(FaceRun const& run, std::ptrdiff_t f, std::size_t count, FaceProblems& b,
@@ -170,6 +172,7 @@ std::size_t GasLine::Impl::solve(FaceRun const& run, std::ptrdiff_t f, std::size
                    .d_rho = is_third_order(run.predictor) ? b.d_rho.data() : nullptr,
                    .d_u = b.d_u.data(),
                    .d_p = b.d_p.data(),
+                   .weak_done = run.at_once,
                    .failures = 0};
   law.solve[static_cast<std::size_t>(setup.options.riemann)](g);
   return g.failures;
@@ -182,7 +185,7 @@ void GasLine::Impl::image_in_wall(FaceRun run, std::ptrdiff_t f, bool wall_on_le
   if (wall_on_left) {
     predict_mirrored(run, f, one);
   } else {
-    predict(run, f, 1, one);
+    predict(run, f, 1, one, {});
   }
   // seen with the gas on the left; the image carries the same density and pressure and twice the wall's speed less its
   // own
@@ -197,7 +200,18 @@ void GasLine::Impl::image_in_wall(FaceRun run, std::ptrdiff_t f, bool wall_on_le
 
 std::size_t GasLine::Impl::run_faces(FaceRun const& run, std::ptrdiff_t begin, std::size_t count, FaceProblems& b,
                                      GasFaces& out, std::ptrdiff_t to) noexcept {
-  predict(run, begin, count, b);
+  FluxesAtOnce at_once;
+  if (run.at_once) {
+    // the states are kept: pressure and velocity of every face are wanted
+    auto const line_of_law = law.energy_line(eos);
+    at_once = {.per_pressure = line_of_law[0],
+               .at_zero = line_of_law[1],
+               .keep_states = true,
+               .mass = out.mass.data() + to,
+               .momentum = out.momentum.data() + to,
+               .energy = out.energy.data() + to};
+  }
+  predict(run, begin, count, b, at_once);
   std::ptrdiff_t const end = begin + static_cast<std::ptrdiff_t>(count);
   if (begin == 0 && is_wall(setup.left)) image_in_wall(run, 0, true, b, 0);
   if (end == cells() + 1 && is_wall(setup.right)) image_in_wall(run, cells(), false, b, count - 1);

@@ -19,8 +19,6 @@ namespace {
 constexpr Int3 tile_2d{128, 64, 1}, tile_3d{128, 16, 32}, small_2d{32, 32, 1}, small_3d{32, 16, 16};
 constexpr int small_grid = 96;  ///< cells along x up to which tiles are small
 
-constexpr std::ptrdiff_t vector_cells = 8;  ///< the widest vector of any instruction set
-
 }  // namespace
 
 GasGridSetup GasGrid::Impl::checked(GasGridSetup s) {
@@ -80,11 +78,13 @@ GridContext GasGrid::Impl::context_of(Impl& m) {
                 .predictor = predictor,
                 .eos = std::visit([](auto const& e) -> void const* { return &e; }, s.eos),
                 .exponent = std::visit([](auto const& e) { return e.isentropic_exponent(); }, s.eos),
+                .energy_line = {},
                 .dims = s.cells[2] > 1 ? 3 : 2,
                 .swept = {},
                 .lower = s.lower,
                 .h = {1, 1, 1},
                 .halo = is_third_order(predictor) ? 3 : 2};
+  c.energy_line = c.law.energy_line(c.eos);
   for (std::size_t a = 0; a < 3; ++a) {
     c.swept[a] = s.cells[a] > 1;
     if (c.swept[a]) c.h[a] = (s.upper[a] - s.lower[a]) / static_cast<double>(s.cells[a]);
@@ -98,7 +98,8 @@ GasGrid::Impl::Impl(GasGridSetup s)
   for (TileId id = 0; id < tiling.count(); ++id) {
     GasTile t;
     t.box = tiling.box(id);
-    t.row = (t.box.size[0] + vector_cells - 1) / vector_cells * vector_cells;
+    t.row = static_cast<std::ptrdiff_t>((static_cast<std::size_t>(t.box.size[0]) + vector_cells - 1) / vector_cells *
+                                        vector_cells);
     t.field = t.row * t.box.size[1] * t.box.size[2];
     if (!setup.blocks.empty()) t.edges = block_edges(t.box);
     if (setup.options.maps) t.maps.assign(3 * t.cells(), 0.0f);

@@ -84,14 +84,17 @@ struct GasLine::Impl {
     PredictorKernel predictor;
     bool increments, linear_star;
     double dt;
-    int side = 0;  ///< OG (3.10): for the cell on the left (0) or on the right (1)
+    int side = 0;          ///< OG (3.10): for the cell on the left (0) or on the right (1)
+    bool at_once = false;  ///< fluxes of weak faces come with their prediction
   };
 
   /// Predictor on the faces [f, f + count).
-  void predict(FaceRun const& run, std::ptrdiff_t f, std::size_t count, FaceProblems& b) const noexcept;
+  void predict(FaceRun const& run, std::ptrdiff_t f, std::size_t count, FaceProblems& b,
+               FluxesAtOnce const& at_once) const noexcept;
 
   /// The same for rows given by their arrays.
-  void predict_row(FaceRun const& run, std::size_t count, PredictorRow const& row, FaceProblems& b) const noexcept;
+  void predict_row(FaceRun const& run, std::size_t count, PredictorRow const& row, FaceProblems& b,
+                   FluxesAtOnce const& at_once) const noexcept;
 
   /// Predictor on face f alone, seen in the mirror: the gas on its right becomes the left state.
   void predict_mirrored(FaceRun const& run, std::ptrdiff_t f, FaceProblems& b) noexcept;

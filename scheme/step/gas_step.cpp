@@ -112,7 +112,9 @@ bool GasLine::Impl::try_step(double dt, double& new_rate) {
   FaceRun run{.predictor = predictor,
               .increments = set_increments(dt),
               .linear_star = setup.options.linear_star && setup.options.riemann != RiemannSolver::hllc,
-              .dt = dt};
+              .dt = dt,
+              .at_once = law.energy_line(eos)[0] > 0 && predictor != PredictorKernel::muscl &&
+                         setup.motion.kind == MeshMotion::Kind::fixed && setup.options.riemann != RiemannSolver::hllc};
   std::size_t failures = all_faces(run, faces);
   if (setup.motion.kind == MeshMotion::Kind::lagrangian) {
     for (std::ptrdiff_t f = 0; f <= cells(); ++f) line.w[f] = faces.u[f];

@@ -214,9 +214,10 @@ void TileWork::set_terms(int j, int k) {
   g_.kernels.predict->grid.transverse[d](t);
   any_cure_ = any_cure_ || t.any;
   if (sourced) {
-    if (t.term[0].first != nullptr) add_sources(x_terms_, j, k);
-    if (t.term[1].first != nullptr) add_sources(y_terms_[y_slot(j)], j, k);
-    if (t.term[2].first != nullptr) add_sources(z_terms_[z_slot(j, k)], j, k);
+    add_sources(
+        j, k,
+        {t.term[0].first != nullptr ? &x_terms_ : nullptr, t.term[1].first != nullptr ? &y_terms_[y_slot(j)] : nullptr,
+         t.term[2].first != nullptr ? &z_terms_[z_slot(j, k)] : nullptr});
   }
 }
 
@@ -246,12 +247,15 @@ void TileWork::plain_cell(Int3 const& cell, std::size_t y_slot, std::size_t z_sl
   }
 }
 
-void TileWork::add_sources(TermRow& term, int j, int k) const {
+void TileWork::add_sources(int j, int k, std::array<TermRow*, 3> const& terms) const {
   // the mean over the step of what has accumulated along a characteristic is half a step of the rate a third on
   for (int i = -1; i <= nx_; ++i) {
     GasPoint const r = g_.setup.source.primitive_rate(centre({i, j, k}), g_.time + g_.dt / 3.0);
-    term.rho[i] += 0.5 * g_.dt * r.rho, term.p[i] += 0.5 * g_.dt * r.p;
-    for (std::size_t a = 0; a < 3; ++a) term.u[a][i] += 0.5 * g_.dt * r.u[a];
+    for (TermRow* term : terms) {
+      if (term == nullptr) continue;
+      term->rho[i] += 0.5 * g_.dt * r.rho, term->p[i] += 0.5 * g_.dt * r.p;
+      for (std::size_t a = 0; a < 3; ++a) term->u[a][i] += 0.5 * g_.dt * r.u[a];
+    }
   }
 }
 

@@ -12,6 +12,8 @@
 
 namespace g27 {
 
+inline constexpr std::size_t vector_cells = 8;  ///< the widest vector of any instruction set
+
 /// Five conserved densities: mass, momentum along x, y, z, energy.
 using FiveDensities = std::array<double, 5>;
 
@@ -60,6 +62,7 @@ struct GridContext {
   PredictorKernel predictor;
   void const* eos;
   double exponent;
+  std::array<double, 2> energy_line;  ///< see EosKernels
   int dims;
   std::array<bool, 3> swept;  ///< axes with more than one cell
   Vec3 lower, h;              ///< corner of the box; widths, 1 along axes that are not there
@@ -112,6 +115,8 @@ class TileWork {
 
   // gas_tile_fill.cpp
   void gather_row(int j, int k);
+  /// Its cells [begin, end), which lie in the tile of that direction.
+  void gather_part(Int3 const& region, int j, int k, int begin, int end);
   /// Planes of primitives, and of their averages, that the sweep needs up to plane `k` of faces: as late as can be, so
   /// that they are still in the cache.
   void gather_up_to(int k);
@@ -129,7 +134,7 @@ class TileWork {
   // gas_tile.cpp
   void sweep();
   void set_terms(int j, int k);
-  void add_sources(TermRow& term, int j, int k) const;
+  void add_sources(int j, int k, std::array<TermRow*, 3> const& terms) const;
   /// Cells beside an edge of a solid block have ghosts that depend on the side from which they are seen: two tiles
   /// would not agree on what crosses their common face. There nothing is taken from across: no transverse term, no
   /// cure, no slope of MUSCL, no correction of the averages.
@@ -159,11 +164,13 @@ class TileWork {
   void solve_row(FaceRow const& row, FluxRow& out);
   Increments increments(FaceRow const& row, PredictorKernel kernel);
   [[nodiscard]] PredictArguments arguments(PredictorKernel kernel, int axis, FaceProblems& b) const noexcept;
-  void predict(FaceRow const& row, PredictorKernel kernel, Increments const& inc, FaceProblems& b);
+  /// Fluxes of weak faces come with their prediction.
+  [[nodiscard]] bool at_once() const noexcept;
+  void predict(FaceRow const& row, PredictorKernel kernel, Increments const& inc, FaceProblems& b, FluxRow& out);
   void image_in_wall(FaceRow const& row, PredictorKernel kernel, Increments const& inc, bool low, FaceProblems& b);
   void fluxes(FaceRow const& row, PredictorKernel kernel, FaceProblems& b, FluxRow& out);
   void muscl_row(FaceRow const& row, FluxRow& out);
-  void solve_problems(FaceRow const& row, FaceProblems& b, bool averaged, FluxRow& out);
+  void solve_problems(FaceRow const& row, FaceProblems& b, bool averaged, bool weak_done, FluxRow& out);
   void seal(FaceRow const& row, FluxRow& out) noexcept;
   void seal_cured(FaceRow const& row, FluxRow& out) noexcept;
   /// Faces with a flagged cell on either side into mark_; how many.

@@ -97,7 +97,12 @@ PredictArguments TileWork::arguments(PredictorKernel kernel, int axis, FaceProbl
           .strong = b.strong.data()};
 }
 
-void TileWork::predict(FaceRow const& row, PredictorKernel kernel, Increments const& inc, FaceProblems& b) {
+bool TileWork::at_once() const noexcept {
+  return g_.energy_line[0] > 0 && g_.setup.options.riemann != RiemannSolver::hllc;
+}
+
+void TileWork::predict(FaceRow const& row, PredictorKernel kernel, Increments const& inc, FaceProblems& b,
+                       FluxRow& out) {
   std::size_t const a = static_cast<std::size_t>(row.axis);
   bool const averaged = is_third_order(kernel);
   PredictArguments g = arguments(kernel, row.axis, b);
@@ -109,6 +114,14 @@ void TileWork::predict(FaceRow const& row, PredictorKernel kernel, Increments co
   if (inc.there) {
     g.inc_rho = inc.left.first, g.inc_u = inc.left.vector[a], g.inc_p = inc.left.last;
     g.next_rho = inc.right.first, g.next_u = inc.right.vector[a], g.next_p = inc.right.last;
+  }
+  if (at_once()) {
+    g.at_once = {.per_pressure = g_.energy_line[0],
+                 .at_zero = g_.energy_line[1],
+                 .keep_states = false,
+                 .mass = out.mass.data(),
+                 .momentum = out.momentum[a].data(),
+                 .energy = out.energy.data()};
   }
   g_.kernels.predict->table[static_cast<std::size_t>(kernel)][1](g);
 }
@@ -159,7 +172,7 @@ void TileWork::image_in_wall(FaceRow const& row, PredictorKernel kernel, Increme
   }
 }
 
-void TileWork::solve_problems(FaceRow const& row, FaceProblems& b, bool averaged, FluxRow& out) {
+void TileWork::solve_problems(FaceRow const& row, FaceProblems& b, bool averaged, bool weak_done, FluxRow& out) {
   std::size_t const a = static_cast<std::size_t>(row.axis);
   SolveArguments g{.faces = row.n,
                    .stride = stride(row.axis),
@@ -183,11 +196,12 @@ void TileWork::solve_problems(FaceRow const& row, FaceProblems& b, bool averaged
                    .f_mass = out.mass.data(),
                    .f_momentum = out.momentum[a].data(),
                    .f_energy = out.energy.data(),
-                   .face_p = out.p.data(),
+                   .face_p = row.wall_low || row.wall_high ? out.p.data() : nullptr,
                    .face_u = out.u.data(),
                    .d_rho = averaged ? b.d_rho.data() : nullptr,
                    .d_u = b.d_u.data(),
                    .d_p = b.d_p.data(),
+                   .weak_done = weak_done,
                    .failures = 0};
   g_.law.solve[static_cast<std::size_t>(g_.setup.options.riemann)](g);
   tile_->failures += g.failures;
@@ -206,11 +220,11 @@ void TileWork::seal(FaceRow const& row, FluxRow& out) noexcept {
 
 void TileWork::fluxes(FaceRow const& row, PredictorKernel kernel, FaceProblems& b, FluxRow& out) {
   Increments const inc = increments(row, kernel);
-  predict(row, kernel, inc, b);
+  predict(row, kernel, inc, b, out);
   if (row.wall_low) image_in_wall(row, kernel, inc, true, b);
   if (row.wall_high) image_in_wall(row, kernel, inc, false, b);
   bool const averaged = is_third_order(kernel);
-  solve_problems(row, b, averaged, out);
+  solve_problems(row, b, averaged, at_once(), out);
   seal(row, out);
   std::size_t const a = static_cast<std::size_t>(row.axis);
   TangentialArguments t{.faces = row.n,
@@ -260,7 +274,7 @@ void TileWork::muscl_row(FaceRow const& row, FluxRow& out) {
     if (low) b.l_rho[f] = b.r_rho[f], b.l_p[f] = b.r_p[f], b.l_u[f] = -b.r_u[f];
     if (high) b.r_rho[f] = b.l_rho[f], b.r_p[f] = b.l_p[f], b.r_u[f] = -b.l_u[f];
   }
-  solve_problems(row, b, false, out);
+  solve_problems(row, b, false, false, out);
   seal(row, out);
   UpwindArguments t{.faces = row.n,
                     .fields = static_cast<std::size_t>(g_.dims - 1),

@@ -2,7 +2,6 @@
 /// the box or in solid blocks.
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "scheme/step/gas_tile.hpp"
 #include "scheme/step/gauss.hpp"
@@ -58,43 +57,53 @@ bool TileWork::gas_ends(int axis, int direction) const noexcept {
 
 void TileWork::gather_row(int j, int k) {
   int const dy = region_of(j, ny_), dz = region_of(k, nz_), H = halo_[0];
-  RowOut const to = gathered_.out();
-  std::array<double*, 5> const row{to.first, to.vector[0], to.vector[1], to.vector[2], to.last};
-  bool found = false;
-  for (int dx = -1; dx <= 1; ++dx) {
-    int const begin = dx < 0 ? -H : dx == 0 ? 0 : nx_, end = dx < 0 ? 0 : dx == 0 ? nx_ : nx_ + H;
-    if (begin == end) continue;
-    TileId const other = beside({dx, dy, dz});
-    // a placeholder where no gas is: those cells are filled later
-    GasTile const& t = g_.tiles[static_cast<std::size_t>(other >= 0 ? other : id_)];
-    found = found || other >= 0;
-    std::size_t const n = static_cast<std::size_t>(end - begin);
+  // each part's last vector runs into the next part, which is written after it
+  if (H > 0) gather_part({-1, dy, dz}, j, k, -H, 0);
+  gather_part({0, dy, dz}, j, k, 0, nx_);
+  std::size_t const past = static_cast<std::size_t>(nx_) % vector_cells;
+  if (past > 0) {
+    // lanes beyond the row repeat its last cell, so that they cost nothing special
+    std::ptrdiff_t const end = origin_ + index(nx_, j, k);
+    for (Padded* q : {&rho_, &u_[0], &u_[1], &u_[2], &p_, &K_, &margin_}) {
+      std::fill_n(q->data() + end, vector_cells - past, (*q)[end - 1]);
+    }
+  }
+  if (H > 0) gather_part({1, dy, dz}, j, k, nx_, nx_ + H);
+}
+
+void TileWork::gather_part(Int3 const& region, int j, int k, int begin, int end) {
+  TileId const other = beside(region);
+  // a placeholder where no gas is: those cells are filled later
+  GasTile const& t = g_.tiles[static_cast<std::size_t>(other >= 0 ? other : id_)];
+  std::size_t const n = static_cast<std::size_t>(end - begin);
+  RowIn from;
+  if (other >= 0 && !t.uniform && region[0] == 0) {
+    double const* const at = t.now.data() + t.index(0, local(j, ny_, t.box.size[1]), local(k, nz_, t.box.size[2]));
+    from = RowIn::of({at, at + t.field, at + 2 * t.field, at + 3 * t.field, at + 4 * t.field});
+  } else {
+    std::array<double*, 5> const row{gathered_.rho.data(), gathered_.u[0].data(), gathered_.u[1].data(),
+                                     gathered_.u[2].data(), gathered_.p.data()};
     for (std::size_t d = 0; d < 5; ++d) {
       if (g_.dims == 2 && d == 3) continue;
       if (other < 0 || t.uniform) {
-        double const value = other < 0 ? t.at(t.now, d, 0) : t.state[d];
-        std::fill_n(row[d] + begin, n, value);
+        std::fill_n(row[d], n, other < 0 ? t.at(t.now, d, 0) : t.state[d]);
       } else {
         std::ptrdiff_t const at =
             t.index(local(begin, nx_, t.box.size[0]), local(j, ny_, t.box.size[1]), local(k, nz_, t.box.size[2]));
-        std::memcpy(row[d] + begin, t.now.data() + static_cast<std::ptrdiff_t>(d) * t.field + at, n * sizeof(double));
+        std::copy_n(t.now.data() + static_cast<std::ptrdiff_t>(d) * t.field + at, n, row[d]);
       }
+      std::fill_n(row[d] + n, vector_cells, row[d][n - 1]);
     }
+    from = RowIn::of({row[0], row[1], row[2], row[3], row[4]});
   }
-  // lanes beyond the row repeat its last cell, so that they cost nothing special
-  for (std::size_t d = 0; d < 5; ++d) std::fill_n(row[d] + nx_ + H, 8, row[d][nx_ + H - 1]);
-  std::ptrdiff_t const i = index(-H, j, k);
-  RowIn from(to);
-  from.first -= H, from.last -= H;
-  for (auto& v : from.vector) v -= H;
-  auto const cell = [&](Padded& q) { return q.data() + origin_ + i; };
+  std::ptrdiff_t const i = origin_ + index(begin, j, k);
   g_.law.grid.primitive[static_cast<std::size_t>(g_.dims - 2)](
-      {.cells = static_cast<std::size_t>(nx_ + 2 * H),
+      {.cells = n,
        .eos = g_.eos,
        .conserved = from,
-       .primitive = {cell(rho_), {cell(u_[0]), cell(u_[1]), cell(u_[2])}, cell(p_)},
-       .K = cell(K_),
-       .margin = cell(margin_)});
+       .primitive = {rho_.data() + i, {u_[0].data() + i, u_[1].data() + i, u_[2].data() + i}, p_.data() + i},
+       .K = K_.data() + i,
+       .margin = margin_.data() + i});
 }
 
 void TileWork::gather_up_to(int k) {

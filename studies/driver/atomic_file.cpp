@@ -7,6 +7,8 @@
 #include <cerrno>
 #include <cstring>
 
+#include "studies/driver/input_error.hpp"
+
 namespace g27 {
 
 void write_atomically(std::filesystem::path const& file, std::span<std::byte const> bytes) {
@@ -38,6 +40,15 @@ void write_atomically(std::filesystem::path const& file, std::span<std::byte con
 
 void write_atomically(std::filesystem::path const& file, std::string_view text) {
   write_atomically(file, std::as_bytes(std::span(text)));
+}
+
+void make_output_folder(std::filesystem::path const& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) {
+    throw InputError("g27", "--out", fmt::format("cannot create {}: {}", folder.string(), error.message()),
+                     "choose another folder");
+  }
 }
 
 }  // namespace g27

@@ -12,6 +12,9 @@ struct OutputError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Makes a folder for results, and those above it. Throws InputError (--out) where it cannot be.
+void make_output_folder(std::filesystem::path const& folder);
+
 /// Writes `bytes` to a temporary name beside `file`, flushes it to disk and renames it. Whatever goes wrong, or if the
 /// process dies, `file` keeps its previous content. Throws OutputError with the system's reason.
 void write_atomically(std::filesystem::path const& file, std::span<std::byte const> bytes);

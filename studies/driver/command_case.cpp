@@ -59,8 +59,7 @@ void read_grid_options(CaseArguments const& a, Case const& chosen, CaseOptions& 
   only(!a.tile.empty(), "--tile", true);
   only(a.feet.has_value(), "--feet", false);
   if (a.transverse) {
-    options.transverse =
-        static_cast<Transverse>(index_in({"own_cell", "averaged", "none"}, *a.transverse, "--transverse"));
+    options.transverse = static_cast<Transverse>(index_in(transverse_names(), *a.transverse, "--transverse"));
   }
   if (a.cure) options.cure = is_on(*a.cure, "--cure");
   if (a.skip) options.skip = is_on(*a.skip, "--skip");

@@ -45,7 +45,7 @@ int command_figure(FigureArguments const& arguments) {
                      arguments.name == "scene" ? "run a scene first: g27 run"
                                                : fmt::format("run the study first: g27 study {}", arguments.name));
   }
-  fs::create_directories(arguments.out);
+  make_output_folder(arguments.out);
   fs::path const figure = fs::path(arguments.out) / (arguments.name + ".png");
   files.push_back(figure.string());
   if (!draw(arguments.name, files)) {

@@ -75,7 +75,7 @@ void add_case(CLI::App& app, int& status) {
   sub->add_option("--riemann", a->riemann, "fast, exact or hllc");
   sub->add_option("--threads", a->threads, "number of threads (default: 1)")->check(CLI::Range(1, 1024));
   sub->add_option("--set", a->set, "a parameter of the case: mach=5")->allow_extra_args(false);
-  sub->add_option("--transverse", a->transverse, "of a grid: own_cell, averaged or none");
+  sub->add_option("--transverse", a->transverse, "of a grid: own-cell, averaged or none");
   sub->add_option("--cure", a->cure, "of a grid, of shocks along it: on or off");
   sub->add_option("--skip", a->skip, "of a grid, tiles where nothing happens: on or off");
   sub->add_option("--tile", a->tile, "of a grid: cells of a tile along x, y and z")->expected(3);

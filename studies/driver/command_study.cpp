@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "studies/driver/atomic_file.hpp"
 #include "studies/driver/command.hpp"
 #include "studies/driver/lookup.hpp"
 #include "studies/driver/progress.hpp"
@@ -15,7 +16,7 @@ namespace g27 {
 int command_study(StudyArguments const& arguments) {
   Study const study = find_by_name(all_studies(), arguments.name, "g27 study");
   std::filesystem::path const out = arguments.out.empty() ? "results/studies/" + study.name : arguments.out;
-  std::filesystem::create_directories(out);
+  make_output_folder(out);
   StudyReport report;
   {
     Progress progress({1.0});

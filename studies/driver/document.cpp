@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <toml++/toml.h>
+#include <array>
 #include <charconv>
 #include <fstream>
 #include <sstream>
@@ -135,6 +136,18 @@ void set_value(Document& document, std::string const& assignment) {
     from = dot + 1;
   }
   *at = std::move(value);
+  // of two keys that say the same a scene has one: the new one replaces the other
+  static std::array<std::array<char const*, 3>, 4> constexpr rivals{{{"domain", "cells", "cell"},
+                                                                     {"domain", "cell", "cells"},
+                                                                     {"scheme", "order", "name"},
+                                                                     {"scheme", "name", "order"}}};
+  for (auto const& [owner, given, other] : rivals) {
+    if (key != fmt::format("{}.{}", owner, given)) continue;
+    Node* const table = descend(document.root, owner);
+    if (auto* entries = table != nullptr ? std::get_if<Node::Table>(&table->value) : nullptr) {
+      std::erase_if(*entries, [&, name = other](NodeEntry const& e) { return e.key == name; });
+    }
+  }
 }
 
 }  // namespace g27

@@ -120,7 +120,8 @@ std::array<GridBoundary, 6> read_sides(Section const& domain, AnyEos const& eos,
   return out;
 }
 
-std::vector<BoundaryPatch> read_patches(Section const& domain, AnyEos const& eos, int dimensions) {
+std::vector<BoundaryPatch> read_patches(Section const& domain, AnyEos const& eos, GridBox const& box) {
+  int const dimensions = dimensions_of(box);
   std::vector<std::string> const sides(side_names().begin(), side_names().begin() + 2 * dimensions);
   std::vector<BoundaryPatch> out;
   for (Section const& section : domain.tables("patch", {"side", "extent", "condition"})) {
@@ -137,6 +138,10 @@ std::vector<BoundaryPatch> read_patches(Section const& domain, AnyEos const& eos
       if (d != side / 2) {
         patch.lower[d] = extent[next][0], patch.upper[d] = extent[next][1];
         ++next;
+        if (patch.upper[d] <= box.lower[d] || patch.lower[d] >= box.upper[d]) {
+          throw section.error("extent", fmt::format("lies beside the domain along {}", ray_names()[d]),
+                              fmt::format("the side goes from {} m to {} m", box.lower[d], box.upper[d]));
+        }
       }
     }
     patch.condition = read_condition(section, "condition", eos, dimensions);

@@ -15,7 +15,7 @@ int dimensions_of(GridBox const& box);
 /// [domain] boundary: every side's condition, in the order of Side.
 std::array<GridBoundary, 6> read_sides(Section const& domain, AnyEos const& eos, int dimensions);
 /// [[domain.patch]].
-std::vector<BoundaryPatch> read_patches(Section const& domain, AnyEos const& eos, int dimensions);
+std::vector<BoundaryPatch> read_patches(Section const& domain, AnyEos const& eos, GridBox const& box);
 /// [[block]]: boxes rounded to whole cells.
 std::vector<SolidBlock> read_blocks(Section const& root, GridBox const& box);
 

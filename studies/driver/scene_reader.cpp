@@ -68,6 +68,22 @@ void check_domain(Section const& domain, GasLineSetup const& setup) {
   }
 }
 
+/// A region beside the domain is a slip: in a unit or in its place.
+void check_regions(GridRegions const& regions, GridBox const& box) {
+  Vec3 middle{};
+  double reach = 0;
+  for (std::size_t d = 0; d < static_cast<std::size_t>(dimensions_of(box)); ++d) {
+    middle[d] = 0.5 * (box.lower[d] + box.upper[d]);
+    reach = std::hypot(reach, 0.5 * (box.upper[d] - box.lower[d]));
+  }
+  for (GridRegion const& region : regions.list) {
+    if (region.distance(middle) > reach) {
+      throw region.section.error(region.kind == "charge" ? "center" : "shape", "lies wholly outside the domain",
+                                 "move it or enlarge the domain; a bare number is in SI units");
+    }
+  }
+}
+
 /// [time]: sets the end, returns the CFL number.
 double read_time(Section const& root, SceneRun& run) {
   Section const time = root.table("time", {"end", "cfl"});
@@ -132,9 +148,10 @@ std::vector<SceneRun> read_grid_runs(Section const& root, SceneRun run) {
   grid.setup.eos = read_eos(root);
   grid.setup.lower = box.lower, grid.setup.upper = box.upper, grid.setup.cells = box.cells;
   grid.setup.sides = read_sides(domain, grid.setup.eos, dimensions);
-  grid.setup.patches = read_patches(domain, grid.setup.eos, dimensions);
+  grid.setup.patches = read_patches(domain, grid.setup.eos, box);
   grid.setup.blocks = read_blocks(root, box);
   GridRegions const regions = read_regions(root, grid.setup.eos, dimensions);
+  check_regions(regions, box);
   run.start = regions.start.value_or(0);
   double const cfl = read_time(root, run);
   grid.initial = make_initial(regions.list, grid.setup.eos, dimensions);

@@ -69,11 +69,7 @@ bool SceneResult::holds() const {
 }
 
 SceneResult run_scene(Scene const& scene, SceneRunOptions const& options) {
-  std::error_code error;
-  std::filesystem::create_directories(options.out, error);
-  if (error) {
-    throw OutputError(fmt::format("cannot create {}: {}", options.out.string(), error.message()));
-  }
+  make_output_folder(options.out);
   SignalGuard const signals;
   SceneResult result;
   std::vector<double> weights;
@@ -82,6 +78,12 @@ SceneResult run_scene(Scene const& scene, SceneRunOptions const& options) {
   std::mutex files;  // the HDF5 library is not safe from several threads
   std::atomic<std::size_t> next = 0;
   std::exception_ptr trouble;
+
+  // what cannot be resumed is refused before anything is written
+  for (SceneRun const& run : scene.runs) {
+    auto const file = options.out / (run.name + ".h5");
+    if (options.resume && std::filesystem::exists(file)) (void)read_run(file, scene, run);
+  }
 
   auto const work = [&](int threads) {
     for (std::size_t i; !stop_requested && (i = next++) < scene.runs.size();) {

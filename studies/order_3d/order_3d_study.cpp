@@ -17,9 +17,9 @@ std::vector<Scheme> const schemes{{"godunov", Predictor::godunov, Switch::off},
 
 /// Fine enough for the asymptotic range; sources (mms) are evaluated in every cell and step, hence few cells.
 std::vector<int> grids(std::string const& problem, Predictor predictor) {
-  if (problem == "mms-3d") return {10, 12, 16, 20};
+  if (problem == "mms-3d") return {16, 20, 24, 32};
   if (predictor == Predictor::godunov) return {64, 80, 96, 128};
-  return {24, 32, 48, 64};
+  return {32, 40, 48, 64};
 }
 
 std::vector<OrderRow> all_rows() {
