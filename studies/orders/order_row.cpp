@@ -48,7 +48,9 @@ RowResult measure_order(OrderRow const& row) {
   std::map<std::string, double> const scale{
       {"density", m.base.rho}, {"velocity", m.sound}, {"pressure", m.base.rho * m.sound * m.sound}};
   RowResult result{.row = row, .variables = {}, .failure = {}};
-  for (char const* variable : {"density", "velocity", "pressure"}) result.variables.push_back({.variable = variable});
+  for (char const* variable : {"density", "velocity", "pressure"}) {
+    result.variables.emplace_back().variable = variable;
+  }
 
   for (int const cells : row.cells) {
     CaseOptions options = row.options;

@@ -241,6 +241,7 @@ std::vector<Mistake> const grid_mistakes{
     {"x_low = \"symmetry\", ", "x_low = { type = \"moving-shock\", point = [\"0 m\", \"0 m\", \"0 m\"], normal = [1, 0, 0], speed = \"1 m/s\" }, ", "domain.boundary.x_low.behind", "missing", "add behind"},
     {"side = \"x_high\"", "side = \"right\"", "domain.patch.0.side", "'right'", "x_low"},
     {"extent = [[\"0 m\", \"0.2 m\"], [\"0 m\", \"0.2 m\"]]", "extent = [[\"0 m\", \"0.2 m\"]]", "domain.patch.0.extent", "has 1 intervals", "give 2"},
+    {"extent = [[\"0 m\", \"0.2 m\"], [\"0 m\", \"0.2 m\"]]", "extent = [[\"2 m\", \"3 m\"], [\"0 m\", \"0.2 m\"]]", "domain.patch.0.extent", "beside the domain", "from 0 m to 1 m"},
     {"[[\"0 s\", \"0 m/s\"], [\"1 s\", \"1 m/s\"]]", "[[\"1 s\", \"0 m/s\"], [\"1 s\", \"1 m/s\"]]", "domain.patch.0.condition.velocity.1", "do not increase", "sort"},
     // blocks
     {"extent = [[\"0.5 m\", \"0.75 m\"]", "extent = [[\"0.5 m\", \"0.6 m\"]", "block.0.extent", "takes 2 cells along x", "4 cells"},
@@ -257,6 +258,7 @@ std::vector<Mistake> const grid_mistakes{
     {"radius = \"0.2 m\"", "raduis = \"0.2 m\"", "region.0.raduis", "unknown key", "'radius'"},
     {"radius = \"0.2 m\"", "radius = \"-0.2 m\"", "region.0.radius", "not positive", "> 0"},
     {"center = [\"0 m\", \"0 m\", \"0 m\"]", "center = [\"0 m\", \"0 m\"]", "region.0.center", "has 2 entries", "give 3"},
+    {"center = [\"0 m\", \"0 m\", \"0 m\"]", "center = [\"0 km\", \"3 km\", \"0 m\"]", "region.0.shape", "outside the domain", "move it"},
     {"pressure = \"9 bar\"", "pressure = \"9 bar\"\nvelocity = \"1 m/s\"", "region.0.velocity", "not a list", "write ["},
     {"shape = \"sphere\"\ncenter = [\"0 m\", \"0 m\", \"0 m\"]\nradius = \"0.2 m\"", "shape = \"half-space\"\npoint = [\"0 m\", \"0 m\", \"0 m\"]\nnormal = [0, 0, 0]", "region.0.normal", "has no length", "direction"},
     {"[output]", "[initial]\ntype = \"table\"\n[output]", "initial", "one dimension", "[[region]]"},
