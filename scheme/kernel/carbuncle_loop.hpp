@@ -10,8 +10,8 @@
 
 namespace g27 {
 
-inline constexpr double cure_noise = 1e-14;     ///< waves below this share of rho, K, c are round-off
-inline constexpr double cure_alignment = 0.05;  ///< transverse over normal pressure difference up to which it acts
+inline constexpr double cure_noise = 1e-14;    ///< waves below this share of rho, K, c are round-off
+inline constexpr double cure_alignment = 0.2;  ///< transverse over normal pressure difference up to which it acts
 
 /// A cell is in such a shock where over the three cells along an axis pressure changes by more than shock_pressure K
 /// (for an ideal gas: more than the least pressure), the velocity along it decreases, the shock moves over the grid no
