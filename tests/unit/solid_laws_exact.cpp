@@ -89,3 +89,27 @@ TEST_CASE("elastic rates keep the deviator free of trace and turn with the mater
   for (std::size_t c = 0; c < 6; ++c)
     CHECK(turning.S[c] == Approx(difference([&](double a) { return rotated(a)[c]; }, angle)).margin(1e-9));
 }
+
+TEST_CASE("averages of solids are exact for polynomials, across breaks and along axes without width", "[oracle]") {
+  // rho = 2: momentum 2 u, energy 2 e + u^2, rho S and rho ep linear in what is averaged
+  auto state = [](Vector3 const& x) {
+    SolidPoint s;
+    s.rho = 2;
+    s.u = {x[0] * x[0] * x[1], x[2], 1};
+    s.S = {x[1] * x[1] * x[1], 0, 0, x[0] * x[2], 0, 0};
+    s.ep = x[0];
+    return s;
+  };
+  Vector3 const centre{0.5, 1, 3}, widths{1, 2, 0};
+  SolidDensities const mean = solid_average(state, centre, widths);
+  CHECK(mean.mass == Approx(2).epsilon(1e-14));
+  CHECK(mean.momentum[0] == Approx(2 * (1. / 3) * 1).epsilon(1e-14));
+  CHECK(mean.momentum[1] == Approx(2 * 3).epsilon(1e-14));
+  CHECK(mean.energy == Approx((1. / 5) * (4. / 3) + 9 + 1).epsilon(1e-14));
+  CHECK(mean.rho_S[0] == Approx(2 * 2).epsilon(1e-14));
+  CHECK(mean.rho_S[3] == Approx(2 * 0.5 * 3).epsilon(1e-14));
+  CHECK(mean.rho_ep == Approx(2 * 0.5).epsilon(1e-14));
+  std::vector<double> const breaks{-1, 0.25, 7};
+  auto step = [&](double x) { return state({x < 0.25 ? 1.0 : 3.0, 1, 0}); };
+  CHECK(solid_average(step, 0, 1, breaks).momentum[0] == Approx(2 * (0.25 * 1 + 0.75 * 9)).epsilon(1e-14));
+}

@@ -128,6 +128,10 @@ SolidDensities densities(SolidPoint const& s);
 /// inside (where the state jumps or has a kink, in increasing order) and x1.
 SolidDensities solid_average(std::function<SolidPoint(double x)> const& state, double x0, double x1,
                              std::span<double const> breaks = {}, int points = 12);
+/// Mean over the cell with that centre and those widths, `points` Gauss-Legendre nodes along each axis; along an axis
+/// of width 0 the value at the centre.
+SolidDensities solid_average(std::function<SolidPoint(Vector3 const& x)> const& state, Vector3 const& centre,
+                             Vector3 const& widths, int points = 4);
 /// Value of the tensor T turned by the matrix R: R T R^T.
 Tensor6 turned(double const (&R)[3][3], Tensor6 const& T);
 
