@@ -4,32 +4,10 @@
 #include <cstdint>
 #include <functional>
 
+#include "riemann/state/solid_point.hpp"
 #include "scheme/step/gas_grid_options.hpp"
 
 namespace g27 {
-
-/// Symmetric tensor: xx yy zz xy xz yz.
-using Sym3 = std::array<double, 6>;
-
-/// Primitive state: density [kg/m^3], velocity [m/s], pressure [Pa], deviatoric stress [Pa], plastic strain. With a law
-/// p(rho) the pressure is not read where a state is given.
-struct SolidPoint {
-  double rho = 0;
-  Vec3 u{0, 0, 0};
-  double p = 0;
-  Sym3 S{0, 0, 0, 0, 0, 0};
-  double ep = 0;
-};
-
-/// Conserved densities: mass [kg/m^3], momentum [kg/(m^2 s)], total energy [J/m^3]; rho S [Pa kg/m^3] and rho ep, which
-/// are carried in conservative form.
-struct SolidDensities {
-  double mass = 0;
-  Vec3 momentum{0, 0, 0};
-  double energy = 0;
-  Sym3 rho_S{0, 0, 0, 0, 0, 0};
-  double rho_ep = 0;
-};
 
 /// d/dt of the primitive variables, the specific energy [J/kg] among them.
 struct SolidRate {

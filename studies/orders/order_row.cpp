@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <stdexcept>
 
 #include "verification/cases/media.hpp"
@@ -44,22 +43,23 @@ void judge(VariableOrder& v, bool stopped) {
 
 RowResult measure_order(OrderRow const& row) {
   Case const problem = find_case(row.problem);
-  Medium const m = medium(row.eos);
-  std::map<std::string, double> const scale{
-      {"density", m.base.rho}, {"velocity", m.sound}, {"pressure", m.base.rho * m.sound * m.sound}};
-  RowResult result{.row = row, .variables = {}, .failure = {}};
-  for (char const* variable : {"density", "velocity", "pressure"}) {
-    result.variables.emplace_back().variable = variable;
+  auto units = row.units;
+  if (units.empty()) {
+    Medium const m = medium(row.eos);
+    units = {{"density", m.base.rho}, {"velocity", m.sound}, {"pressure", m.base.rho * m.sound * m.sound}};
   }
+  RowResult result{.row = row, .variables = {}, .failure = {}};
+  for (auto const& [variable, unit] : units) result.variables.emplace_back().variable = variable;
 
   for (int const cells : row.cells) {
     CaseOptions options = row.options;
     options.cells = cells, options.eos = row.eos, options.mesh = row.mesh;
     try {
       CaseResult const run = problem.run(options);
-      for (VariableOrder& v : result.variables) {
+      for (std::size_t k = 0; k < units.size(); ++k) {
+        VariableOrder& v = result.variables[k];
         Norms const& e = run.errors.at(v.variable);
-        double const unit = scale.at(v.variable);
+        double const unit = units[k].second;
         v.h.push_back(1.0 / cells);
         v.errors.push_back({e.l1 / unit, e.l2 / unit, e.linf / unit});
       }

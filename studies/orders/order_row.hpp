@@ -2,6 +2,7 @@
 /// One row of an order study: a case, a law, a mesh and a scheme on a family of grids, and the orders it shows.
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "verification/cases/case.hpp"
@@ -14,9 +15,11 @@ struct OrderRow {
   std::string problem, eos, mesh, scheme;  ///< `scheme` as the table shows it
   CaseOptions options;                     ///< predictor, switch, ablations
   std::vector<int> cells;
+  /// Variables and what their errors are divided by; empty: density, velocity, pressure of the gas `eos`.
+  std::vector<std::pair<std::string, double>> units{};
 };
 
-/// Errors are relative: to the medium's density, its sound speed and its bulk modulus.
+/// Errors are relative: to the medium's density, its sound speed and its bulk modulus, or to the row's own units.
 struct VariableOrder {
   enum class State {
     fitted,
@@ -32,7 +35,7 @@ struct VariableOrder {
 
 struct RowResult {
   OrderRow row;
-  std::vector<VariableOrder> variables;  ///< density, velocity, pressure
+  std::vector<VariableOrder> variables;  ///< in the order of the units
   std::string failure;                   ///< why a run stopped, if one did
 };
 

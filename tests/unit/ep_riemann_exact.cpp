@@ -59,7 +59,7 @@ TEST_CASE("detonation products against steel, and steel against aluminium", "[or
 }
 
 TEST_CASE("without shear modulus the solution is that of gas dynamics", "[oracle]") {
-  auto check = [](SolidLaw const& law_l, ExactEos const& eos_l, GasState<> const& l, SolidLaw const& law_r,
+  auto check = [](ExactSolidLaw const& law_l, ExactEos const& eos_l, GasState<> const& l, ExactSolidLaw const& law_r,
                   ExactEos const& eos_r, GasState<> const& r) {
     SolidMaterial const m_l{law_l}, m_r{law_r};
     EpRiemann const solid(m_l, axial_state(m_l, l.rho, l.u, l.p), m_r, axial_state(m_r, r.rho, r.u, r.p));

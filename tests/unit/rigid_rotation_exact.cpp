@@ -6,7 +6,7 @@ using namespace g27;
 
 namespace {
 
-RigidRotation body(SolidLaw const& law, double rho, double p) {
+RigidRotation body(ExactSolidLaw const& law, double rho, double p) {
   return {.law = law,
           .rho = rho,
           .p = p,

@@ -74,6 +74,8 @@ struct CaseResult {
   double time = 0;
   std::vector<double> x, rho, u, p, switched;  ///< final profile at cell centres
   std::vector<double> rho_ref, u_ref, p_ref;   ///< cell averages of the reference
+  /// of a solid in one dimension: by variable, the final profile and the reference's
+  std::map<std::string, std::vector<double>> profile, profile_ref;
   std::optional<GridFields> fields;
 };
 
@@ -82,6 +84,7 @@ struct Case {
   int dimensions = 1;
   int default_cells = 200;
   bool has_reference = true;
+  bool solid = false;  ///< of the scheme for solids: the variables velocity_x.. and sxx.. beside the gas's
   std::vector<std::string> eos{"ideal"};  ///< first: the default
   std::vector<std::string> meshes{"uniform", "graded", "alternating", "random", "moving", "moving-random"};
   std::vector<CaseParameter> parameters{};

@@ -11,7 +11,7 @@ namespace {
 constexpr int fan_intervals = 400;
 
 /// Largest density of a law: where the shock locus has its pole.
-double densest(SolidLaw const& law) {
+double densest(ExactSolidLaw const& law) {
   auto pole = [](auto const* l) { return l && l->s > 1 ? l->rho0 * l->s / (l->s - 1) : 1e300; };
   return std::min(pole(std::get_if<MieGruneisenLaw>(&law)), pole(std::get_if<ConstantGammaLaw>(&law)));
 }

@@ -10,7 +10,7 @@
 namespace g27 {
 
 struct RigidRotation {
-  SolidLaw law;
+  ExactSolidLaw law;
   double rho = 7800, p = 0;  ///< on the axis
   Tensor6 S{};               ///< at t = 0
   Vector3 axis{0, 0, 1};     ///< any length

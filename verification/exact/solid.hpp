@@ -8,15 +8,13 @@
 #include <limits>
 #include <span>
 
+#include "riemann/state/solid_point.hpp"
 #include "verification/exact/eos.hpp"
 
 namespace g27 {
 
 using Vector3 = std::array<double, 3>;
-/// Symmetric tensor in the order xx, yy, zz, xy, xz, yz.
-using Tensor6 = std::array<double, 6>;
-/// Place of component (i, j) in a Tensor6.
-inline constexpr std::size_t tensor_place[3][3] = {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}};
+using Tensor6 = Sym3;
 
 /// p = K (rho/rho0 - 1), whatever the energy.
 struct LinearBulkLaw {
@@ -75,53 +73,33 @@ inline double gruneisen(MieGruneisenLaw const& law, double rho) { return law.Gam
 
 inline double gruneisen(ConstantGammaLaw const& law, double) { return law.Gamma; }
 
-using SolidLaw = std::variant<LinearBulkLaw, MieGruneisenLaw, ConstantGammaLaw, StiffenedLaw, IdealLaw, JwlLaw>;
+using ExactSolidLaw = std::variant<LinearBulkLaw, MieGruneisenLaw, ConstantGammaLaw, StiffenedLaw, IdealLaw, JwlLaw>;
 
-inline double energy(SolidLaw const& law, double rho, double p) {
+inline double energy(ExactSolidLaw const& law, double rho, double p) {
   return std::visit([&](auto const& l) { return l.energy(rho, p); }, law);
 }
-inline double pressure(SolidLaw const& law, double rho, double e) {
+inline double pressure(ExactSolidLaw const& law, double rho, double e) {
   return std::visit([&](auto const& l) { return l.pressure(rho, e); }, law);
 }
 /// rho c^2 of (rho, p), c the sound speed of the material without strength.
-inline double bulk_modulus(SolidLaw const& law, double rho, double p) {
+inline double bulk_modulus(ExactSolidLaw const& law, double rho, double p) {
   return std::visit([&](auto const& l) { return l.bulk_modulus(rho, p); }, law);
 }
-inline double gruneisen(SolidLaw const& law, double rho) {
+inline double gruneisen(ExactSolidLaw const& law, double rho) {
   return std::visit([&](auto const& l) { return gruneisen(l, rho); }, law);
 }
 
 /// Hypoelastic, of von Mises' yield stress Y = yield + hardening * plastic strain. mu = 0 is a fluid.
 struct SolidMaterial {
-  SolidLaw law;
+  ExactSolidLaw law;
   double mu = 0;
   double yield = std::numeric_limits<double>::infinity();
   double hardening = 0;
 };
 
-/// Density, velocity, pressure, specific internal energy, deviator, equivalent plastic strain.
-struct SolidPoint {
-  double rho = 0;
-  Vector3 u{};
-  double p = 0, e = 0;
-  Tensor6 S{};
-  double ep = 0;
-  /// Component of sigma.
-  [[nodiscard]] double stress(std::size_t i, std::size_t j) const { return S[tensor_place[i][j]] - (i == j ? p : 0); }
-};
-
 /// Rates of change along the path of a particle, caused by the gradient L_ij = du_i/dx_j of the velocity while it loads
 /// elastically: of density, pressure, energy and deviator (Jaumann's rate). `u` and `ep` stay zero.
 SolidPoint elastic_rate(SolidMaterial const& material, SolidPoint const& s, double const (&L)[3][3]);
-
-/// All that a solid conserves or carries, per volume.
-struct SolidDensities {
-  double mass = 0;
-  Vector3 momentum{};
-  double energy = 0;
-  Tensor6 rho_S{};
-  double rho_ep = 0;
-};
 
 SolidDensities densities(SolidPoint const& s);
 /// Mean of `state` over [x0, x1]: Gauss-Legendre quadrature with `points` nodes on every piece between x0, the `breaks`

@@ -8,7 +8,7 @@ namespace {
 std::vector<std::string> const laws{"linear-bulk", "mie-gruneisen", "constant-gruneisen", "stiffened", "ideal", "jwl"};
 
 /// Reference density of a law, 0 for one that has none.
-double reference_density(SolidLaw const& law) {
+double reference_density(ExactSolidLaw const& law) {
   if (auto const* l = std::get_if<LinearBulkLaw>(&law)) return l->rho0;
   if (auto const* l = std::get_if<MieGruneisenLaw>(&law)) return l->rho0;
   if (auto const* l = std::get_if<ConstantGammaLaw>(&law)) return l->rho0;

@@ -1,0 +1,126 @@
+/// Observed orders of the solid schemes on smooth problems in one, two and three dimensions, in every variable.
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "studies/orders/order_tables.hpp"
+#include "verification/cases/solid_problem.hpp"
+
+namespace g27 {
+namespace {
+
+struct Scheme {
+  std::string name;
+  Predictor predictor;
+  Switch monotonicity;
+};
+std::vector<Scheme> const schemes{{"godunov", Predictor::godunov, Switch::off},
+                                  {"linear, off", Predictor::linear, Switch::off},
+                                  {"linear, graded", Predictor::linear, Switch::graded},
+                                  {"parabolic, off", Predictor::parabolic, Switch::off},
+                                  {"parabolic, on", Predictor::parabolic, Switch::graded}};
+
+struct Problem {
+  std::string group, name;
+  double amplitude;                ///< over the speed of P waves
+  std::vector<int> cells, coarse;  ///< of the linear and Godunov's schemes; of the parabolic one
+  std::vector<std::string> media{"steel"};
+};
+
+std::vector<Problem> problems() {
+  std::vector<int> const line{80, 112, 160, 224, 320}, short_line{32, 48, 64, 96, 128};
+  std::vector<int> const plane{48, 64, 96, 128}, space{16, 24, 32, 48}, sources{24, 32, 48, 64},
+      sources_3d{8, 12, 16, 24};
+  std::vector<int> const step{160, 224, 320, 448};
+  return {{"waves", "solid-p-1d", 1e-3, line, short_line, {"steel", "aluminium"}},
+          {"waves", "solid-s-1d", 1e-3, line, short_line, {"steel", "aluminium"}},
+          {"coupled", "solid-coupled-1d", 0.02, line, short_line, {"steel", "aluminium"}},
+          {"coupled", "solid-coupled-2d", 0.02, plane, plane},
+          {"coupled", "solid-coupled-3d", 0.02, space, space},
+          {"manufactured", "solid-mms-1d", 0.02, line, short_line, {"steel", "aluminium"}},
+          {"manufactured", "solid-mms-2d", 0.02, sources, sources},
+          {"manufactured", "solid-mms-3d", 0.02, sources_3d, sources_3d},
+          {"boundaries", "solid-fixed-1d", 1e-7, line, line},
+          {"boundaries", "solid-traction-1d", 1e-7, line, line},
+          {"boundaries", "solid-wall-1d", 1e-7, line, line},
+          {"plastic", "solid-uniaxial-1d", 0.01, step, step},
+          {"plastic", "solid-uniaxial-2d", 0.01, plane, plane},
+          {"plastic", "solid-uniaxial-3d", 0.01, space, space},
+          {"plastic", "solid-sheared-1d", 0.01, step, step},
+          {"plastic", "solid-sheared-2d", 0.01, plane, plane},
+          {"plastic", "solid-sheared-3d", 0.01, space, space}};
+}
+
+std::vector<OrderRow> all_rows() {
+  std::vector<OrderRow> rows;
+  for (Problem const& p : problems()) {
+    for (std::string const& medium : p.media) {
+      SolidMedium const m = solid_medium(medium);
+      double const u = p.amplitude * m.sound, stress = m.rho0 * m.sound * u;
+      for (Scheme const& s : schemes) {
+        OrderRow row{
+            p.group, p.name, medium, "fixed", s.name, {}, s.predictor == Predictor::parabolic ? p.coarse : p.cells};
+        row.options.predictor = s.predictor, row.options.monotonicity = s.monotonicity;
+        for (std::string const& v : solid_variables()) {
+          double const unit = v == "density" ? m.rho0 * p.amplitude : v.substr(0, 8) == "velocity" ? u : stress;
+          row.units.emplace_back(v, unit);
+        }
+        rows.push_back(row);
+      }
+    }
+  }
+  return rows;
+}
+
+/// Variables that a problem moves: those whose error on the finest grid is no less than this part of its largest one.
+/// The others carry products of errors, and round-off.
+constexpr double least_share = 0.01;
+bool moves(RowResult const& r, VariableOrder const& v) {
+  double largest = 0;
+  for (VariableOrder const& other : r.variables) {
+    if (!other.errors.empty()) largest = std::max(largest, other.errors.back().l1);
+  }
+  return !v.errors.empty() && v.errors.back().l1 >= least_share * largest;
+}
+
+StudyReport run(StudyContext const& context) {
+  std::vector<RowResult> results = measure_orders(all_rows(), context);
+  for (RowResult& r : results) {
+    std::set<std::string> still;
+    for (VariableOrder const& v : r.variables) {
+      if (r.failure.empty() && !moves(r, v)) still.insert(v.variable);
+    }
+    std::erase_if(r.variables, [&](VariableOrder const& v) { return still.contains(v.variable); });
+  }
+  std::vector<Finding> findings;
+  auto const claim = [&](std::string const& text, std::string const& scheme, double low, double high,
+                         std::function<bool(OrderRow const&)> const& chosen) {
+    findings.push_back(
+        order_claim(results, text, low, high, [&](auto& r, auto&) { return r.scheme == scheme && chosen(r); }));
+  };
+  auto const elastic = [](OrderRow const& r) { return r.group != "plastic" && r.group != "boundaries"; };
+  auto const group = [](std::string const& name) { return [=](OrderRow const& r) { return r.group == name; }; };
+  claim("linear, switch off, elastic, 1D to 3D, every variable: L1 order 2.00 +- 0.1", "linear, off", 1.9, 2.1,
+        elastic);
+  claim("linear, graded switch, elastic, 1D to 3D, every variable: L1 order at least 1.8", "linear, graded", 1.8, 3,
+        elastic);
+  claim("linear, switch off, boundaries: L1 order at least 1.8", "linear, off", 1.8, 3, group("boundaries"));
+  claim("linear, switch off, plastic loading, uniaxial and not proportional, 1D to 3D: L1 order at least 1.8",
+        "linear, off", 1.8, 3, group("plastic"));
+  claim("linear, graded switch, plastic loading: L1 order at least 1.8", "linear, graded", 1.8, 3, group("plastic"));
+  claim("parabolic, bounds on, plastic loading: L1 order at least 1.8", "parabolic, on", 1.8, 4, group("plastic"));
+  claim("parabolic, bounds on, P and S waves in 1D: L1 order at least 2.8", "parabolic, on", 2.8, 3.5, group("waves"));
+  claim("parabolic, bounds on, elastic, 1D to 3D: L1 order at least 1.8", "parabolic, on", 1.8, 4, elastic);
+  claim("Godunov, every problem and variable: L1 order 0.7 to 1.1", "godunov", 0.7, 1.1,
+        [](OrderRow const&) { return true; });
+  return {{order_table(results), error_table(results)}, findings};
+}
+
+}  // namespace
+
+Study order_solid_study() {
+  return {"order-solid",
+          "the solid schemes are of second order in every variable, elastic and plastic, Godunov's of first", run};
+}
+
+}  // namespace g27

@@ -1,0 +1,13 @@
+#include "verification/cases/solid_wave.hpp"
+
+namespace g27 {
+
+Case solid_coupled_2d_case() {
+  return solid_wave_case({.name = "solid-coupled-2d",
+                          .title = "P wave of finite amplitude, coupled to S by pre-stress, over one period",
+                          .dimensions = 2,
+                          .amplitude = 0.02,
+                          .stress = 0.05});
+}
+
+}  // namespace g27

@@ -1,0 +1,13 @@
+#include "verification/cases/solid_wave.hpp"
+
+namespace g27 {
+
+Case solid_fixed_1d_case() {
+  return solid_wave_case({.name = "solid-fixed-1d",
+                          .title = "coupled wave driven by its velocities at both ends",
+                          .amplitude = 1e-7,
+                          .stress = 0.05,
+                          .sides = SolidWaveCase::Sides::fixed});
+}
+
+}  // namespace g27

@@ -1,0 +1,30 @@
+#pragma once
+/// Solids of the verification cases: as the scheme knows them and as the exact solutions know them.
+#include <string>
+#include <vector>
+
+#include "riemann/solid/material.hpp"
+#include "verification/exact/solid.hpp"
+
+namespace g27 {
+
+struct SolidMedium {
+  AnySolid scheme;
+  SolidMaterial exact;
+  double rho0;   ///< unstressed [kg/m^3]
+  double sound;  ///< of P waves, unstressed [m/s]
+};
+
+/// steel: the paper's, K 175, mu 80.77, Y 0.34, H 0.24 GPa, 7800 kg/m^3, linear bulk modulus. aluminium: 2024, Meyers,
+/// Dynamic Behavior of Materials (1994), table 5.1, mu 27.6, Y 0.3 GPa. `plastic`: with their yield stress, else
+/// elastic. Throws std::invalid_argument for another name.
+SolidMedium solid_medium(std::string const& name, bool plastic = false);
+
+std::vector<std::string> solid_media();
+
+/// A state with the pressure and energy of the law's reference curve at this density (of the linear law), or of
+/// `p` [Pa].
+SolidPoint solid_state(SolidMedium const& m, double rho, Vector3 const& u, double p, Tensor6 const& S = {},
+                       double ep = 0);
+
+}  // namespace g27
