@@ -162,7 +162,7 @@ TEST_CASE("a solution of one dimension is the same along every axis", "[solid]")
         SolidPoint const q = motion(m, {x[static_cast<std::size_t>(axis)], 0.3, 0.6}, 7800, 0.01);
         SolidPoint r = q;
         for (int k = 0; k < 3; ++k) r.u[static_cast<std::size_t>((axis + k) % 3)] = q.u[static_cast<std::size_t>(k)];
-        for (std::size_t k = 0; k < 6; ++k) r.S[static_cast<std::size_t>(frame_components[axis][k])] = q.S[k];
+        for (std::size_t k = 0; k < 6; ++k) r.S[static_cast<std::size_t>(frame_component(axis, k))] = q.S[k];
         return r;
       });
       for (int k = 0; k < 40; ++k) REQUIRE(g.step(1e9).status == StepStatus::ok);
