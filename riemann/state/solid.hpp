@@ -41,7 +41,12 @@ struct SolidFace {
   V S[6];
 };
 
-/// Where the components of the frame of `axis` are among xx yy zz xy xz yz; its axes are axis, axis + 1, axis + 2.
-inline constexpr int frame_components[3][6] = {{0, 1, 2, 3, 4, 5}, {1, 2, 0, 5, 3, 4}, {2, 0, 1, 4, 5, 3}};
+/// Place among xx yy zz xy xz yz of the k-th component (11 22 33 12 13 23) in the frame of `axis`, whose axes are axis,
+/// axis + 1, axis + 2. Not a table: kernels of different instruction sets would share its symbol.
+[[gnu::always_inline]] constexpr int frame_component(int axis, int k) noexcept {
+  if (k < 3) return (axis + k) % 3;
+  int const i = (axis + (k == 5 ? 1 : 0)) % 3, j = (axis + (k == 3 ? 1 : 2)) % 3;
+  return 2 + i + j;
+}
 
 }  // namespace g27

@@ -42,7 +42,8 @@ void solid_correct(SolidCorrectArguments& g) noexcept {
     V const half_mass = 0.5 * (mass_old + q[to::mass]);
     unrolled<3>([&](auto a) G27_INLINE_LAMBDA {
       if (g.lower[a].data == nullptr) return;
-      constexpr auto& c = frame_components[a];
+      constexpr int c[6] = {frame_component(a, 0), frame_component(a, 1), frame_component(a, 2),
+                            frame_component(a, 3), frame_component(a, 4), frame_component(a, 5)};
       V grad[3], rate[6];
       unrolled<3>([&](auto k) G27_INLINE_LAMBDA {
         constexpr int row = face::u + (a + k) % 3;

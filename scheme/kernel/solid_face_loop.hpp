@@ -15,7 +15,7 @@ struct SolidFrameRows {
   G27_INLINE SolidFrameRows(FieldRows const& q, int axis, int count) noexcept {
     for (int k = 0; k < count; ++k) row[k] = q[k];
     for (int k = 0; k < 3; ++k) row[solid_cell::u + k] = q[solid_cell::u + (axis + k) % 3];
-    for (int k = 0; k < 6; ++k) row[solid_cell::S + k] = q[solid_cell::S + frame_components[axis][k]];
+    for (int k = 0; k < 6; ++k) row[solid_cell::S + k] = q[solid_cell::S + frame_component(axis, k)];
   }
   template <Lane V>
   [[nodiscard]] G27_INLINE V at(int field, std::ptrdiff_t i) const noexcept {
@@ -39,7 +39,7 @@ struct SolidFluxRows {
     for (int k = 0; k < solid_face::fields; ++k) row[k] = q[k];
     for (int k = 0; k < 3; ++k) row[solid_face::momentum + k] = q[solid_face::momentum + (axis + k) % 3];
     for (int k = 0; k < 3; ++k) row[solid_face::u + k] = q[solid_face::u + (axis + k) % 3];
-    for (int k = 0; k < 6; ++k) row[solid_face::S + k] = q[solid_face::S + frame_components[axis][k]];
+    for (int k = 0; k < 6; ++k) row[solid_face::S + k] = q[solid_face::S + frame_component(axis, k)];
   }
   template <Lane V>
   G27_INLINE void put(std::ptrdiff_t f, SolidFace<V> const& q) const noexcept {

@@ -79,7 +79,7 @@ struct SolidTransverseArguments {
 /// The corrector of a row of cells: fluxes, Jaumann terms from the face velocities, return to the yield surface.
 struct SolidCorrectArguments {
   std::size_t cells;
-  FieldRows now, next, source;                    ///< conserved averages; what a source adds to them in the step, null: nothing
+  FieldRows now, next, source;            ///< conserved averages; what a source adds to them in the step, null: nothing
   std::array<FieldRows, 3> lower, upper;  ///< faces below and above the cells along each axis; null: not swept
   std::array<double, 3> lambda;           ///< dt/h
   Strength strength;

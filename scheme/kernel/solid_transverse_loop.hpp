@@ -20,7 +20,8 @@ G27_INLINE SolidRateTerm<V> rate_along(SolidTransverseArguments const& g, std::p
   V d[cell::state];
   unrolled<cell::state>(
       [&](auto n) G27_INLINE_LAMBDA { d[n] = k * (load<V>(g.cell[n] + i + s) - load<V>(g.cell[n] + i - s)); });
-  constexpr auto& c = frame_components[axis];
+  constexpr int c[6] = {frame_component(axis, 0), frame_component(axis, 1), frame_component(axis, 2),
+                        frame_component(axis, 3), frame_component(axis, 4), frame_component(axis, 5)};
   V const u = here[cell::u + axis];
   V const S[6] = {here[cell::S + c[0]], here[cell::S + c[1]], here[cell::S + c[2]],
                   here[cell::S + c[3]], here[cell::S + c[4]], here[cell::S + c[5]]};

@@ -100,7 +100,7 @@ void SolidTileWork::fill_side(int axis, bool low) {
             for (int d = 0; d < solid_cell::fields; ++d) cells_[d * volume_ + to] = cells_[d * volume_ + from];
             auto const turn = [&](int d) { cells_[d * volume_ + to] = -cells_[d * volume_ + to]; };
             turn(solid_cell::u + axis);
-            turn(solid_cell::S + frame_components[axis][3]), turn(solid_cell::S + frame_components[axis][4]);
+            turn(solid_cell::S + frame_component(axis, 3)), turn(solid_cell::S + frame_component(axis, 4));
           } else {
             extrapolate(to, first, first + inward, b.kind == Kind::outflow ? 0 : depth);
           }
