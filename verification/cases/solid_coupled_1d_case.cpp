@@ -4,8 +4,9 @@ namespace g27 {
 
 Case solid_coupled_1d_case() {
   return solid_wave_case({.name = "solid-coupled-1d",
-                          .title = "P wave of finite amplitude, coupled to S by pre-stress, over one period",
+                          .title = "S wave of finite amplitude, coupled to P by pre-stress, over one period",
                           .dimensions = 1,
+                          .family = 1,
                           .amplitude = 0.02,
                           .stress = 0.05});
 }

@@ -5,6 +5,7 @@ namespace g27 {
 Case solid_fixed_1d_case() {
   return solid_wave_case({.name = "solid-fixed-1d",
                           .title = "coupled wave driven by its velocities at both ends",
+                          .family = 1,
                           .amplitude = 1e-7,
                           .stress = 0.05,
                           .sides = SolidWaveCase::Sides::fixed});

@@ -165,7 +165,7 @@ SolidPoint PlaneWave::state(double w) const {
 
 double PlaneWave::at(double s, double t) const {
   if (t == 0) return profile_(s);
-  double const margin = 1e-6 * (fastest_ - slowest_) + 1e-9 * std::fabs(fastest_);
+  double const margin = 0.1 * (fastest_ - slowest_) + 1e-9 * std::fabs(fastest_);
   auto const gap = [&](double from) { return from + speed(profile_(from)) * t - s; };
   return profile_(find_root(gap, s - (fastest_ + margin) * t, s - (slowest_ - margin) * t));
 }
