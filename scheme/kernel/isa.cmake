@@ -33,7 +33,13 @@ endfunction()
 # Compiles the kernels for every instruction set, eos_kernel.cpp once per law as well, into the library `target`.
 function(g27_isa_kernels target)
   foreach(isa ${G27_ISAS})
-    g27_kernel_object(${target} g27_predict_${isa} ${isa} ${PROJECT_SOURCE_DIR}/scheme/kernel/predict_kernel.cpp)
+    foreach(kernel predict solid solid_eos)
+      g27_kernel_object(${target} g27_${kernel}_${isa} ${isa} ${PROJECT_SOURCE_DIR}/scheme/kernel/${kernel}_kernel.cpp)
+    endforeach()
+    foreach(predictor godunov linear parabolic)
+      g27_kernel_object(${target} g27_solid_${predictor}_${isa} ${isa}
+                        ${PROJECT_SOURCE_DIR}/scheme/kernel/solid_face_kernel.cpp G27_PREDICTOR=${predictor})
+    endforeach()
     foreach(eos ${G27_EOS_NAMES})
       g27_kernel_object(${target} g27_${eos}_${isa} ${isa} ${PROJECT_SOURCE_DIR}/scheme/kernel/eos_kernel.cpp
                         G27_EOS=${eos})
