@@ -103,7 +103,7 @@ void GasLine::Impl::add_totals(Accumulators& a, GasConserved<>* magnitude) const
 double GasLine::Impl::signal_rate(GasCells const& c, bool relative) const noexcept {
   double most = 0;
   for (std::ptrdiff_t i = 0; i < cells(); ++i) {
-    double const sound = std::sqrt(c.K[i] / c.rho[i]);
+    double const sound = std::sqrt(c.K[i] * (1.0 / c.rho[i]));  // as after a step, bit by bit
     double speed = std::fabs(c.u[i]);
     if (relative) speed = std::max(std::fabs(c.u[i] - line.w[i]), std::fabs(c.u[i] - line.w[i + 1]));
     double const r = (speed + sound) * line.inv_h[i];

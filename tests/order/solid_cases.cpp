@@ -17,7 +17,8 @@ CaseResult run(Case const& chosen, int cells, Predictor predictor, Switch monoto
 
 }  // namespace
 
-TEST_CASE("every case of solids conserves, and twice the cells leave it less error", "[cases][solid]") {
+TEST_CASE("every case of solids conserves, and in one dimension twice the cells leave it less error",
+          "[cases][solid]") {
   int count = 0;
   for (Case const& c : all_cases()) {
     if (!c.solid) continue;
@@ -29,8 +30,11 @@ TEST_CASE("every case of solids conserves, and twice the cells leave it less err
                   << b.errors.at("velocity").l1);
       CHECK(a.name == c.name);
       CHECK(a.errors.size() == 12);
-      CHECK(b.errors.at("velocity").l1 < 0.9 * a.errors.at("velocity").l1);
-      CHECK(b.errors.at("pressure").l1 < 0.95 * std::fmax(a.errors.at("pressure").l1, 1e-12));
+      // a plane or a box of a few cells resolves no wave: there the orders are the study's business
+      if (c.dimensions == 1) {
+        CHECK(b.errors.at("velocity").l1 < 0.9 * a.errors.at("velocity").l1);
+        CHECK(b.errors.at("pressure").l1 < 0.95 * std::fmax(a.errors.at("pressure").l1, 1e-12));
+      }
       // a few hundred steps of round-off
       CHECK(std::fabs(b.ledger.mass.residual()) < 1e-13);
       CHECK(std::fabs(b.ledger.energy.residual()) < 1e-13);
@@ -42,7 +46,7 @@ TEST_CASE("every case of solids conserves, and twice the cells leave it less err
 TEST_CASE("waves of finite amplitude in pre-stressed solids: second order in every variable", "[cases][solid]") {
   for (Case const& c : all_cases()) {
     if (c.name != "solid-coupled-1d" && c.name != "solid-mms-1d") continue;
-    CaseResult const a = run(c, 80, Predictor::linear, Switch::off), b = run(c, 160, Predictor::linear, Switch::off);
+    CaseResult const a = run(c, 160, Predictor::linear, Switch::off), b = run(c, 320, Predictor::linear, Switch::off);
     for (auto const& [variable, e] : b.errors) {
       double const order = std::log2(a.errors.at(variable).l1 / e.l1);
       INFO(c.name << " " << variable << " order " << order);
