@@ -133,10 +133,10 @@ void fluxes_hllc(SolveArguments& g, E const& eos) noexcept {
     store(g.f_mass + f, q.mass);
     store(g.f_momentum + f, V(q.momentum + w * q.mass));
     store(g.f_energy + f, V(q.energy + w * q.momentum + 0.5 * w * w * q.mass));
+    if (g.face_p == nullptr) continue;
     // pressure and velocity of the contact, linearised: for the geometric terms and the histories
     V const z_l = sqrt(eos.bulk_modulus(l.rho, l.p) * l.rho), z_r = sqrt(eos.bulk_modulus(r.rho, r.p) * r.rho);
     V const inv = 1.0 / (z_l + z_r);
-    if (g.face_p == nullptr) continue;
     store(g.face_p + f, V((z_r * l.p + z_l * r.p - z_l * z_r * (r.u - l.u)) * inv));
     store(g.face_u + f, V((z_l * l.u + z_r * r.u - (r.p - l.p)) * inv + w));
   }

@@ -80,15 +80,11 @@ GridContext GasGrid::Impl::context_of(Impl& m) {
                 .exponent = std::visit([](auto const& e) { return e.isentropic_exponent(); }, s.eos),
                 .energy_line = {},
                 .dims = s.cells[2] > 1 ? 3 : 2,
-                .swept = {},
+                .swept = swept_axes(s.cells),
                 .lower = s.lower,
-                .h = {1, 1, 1},
+                .h = cell_widths(s.lower, s.upper, s.cells),
                 .halo = is_third_order(predictor) ? 3 : 2};
   c.energy_line = c.law.energy_line(c.eos);
-  for (std::size_t a = 0; a < 3; ++a) {
-    c.swept[a] = s.cells[a] > 1;
-    if (c.swept[a]) c.h[a] = (s.upper[a] - s.lower[a]) / static_cast<double>(s.cells[a]);
-  }
   return c;
 }
 
@@ -98,8 +94,7 @@ GasGrid::Impl::Impl(GasGridSetup s)
   for (TileId id = 0; id < tiling.count(); ++id) {
     GasTile t;
     t.box = tiling.box(id);
-    t.row = static_cast<std::ptrdiff_t>((static_cast<std::size_t>(t.box.size[0]) + vector_cells - 1) / vector_cells *
-                                        vector_cells);
+    t.row = padded_row(t.box.size[0]);
     t.field = t.row * t.box.size[1] * t.box.size[2];
     if (!setup.blocks.empty()) t.edges = block_edges(t.box);
     if (setup.options.maps) t.maps.assign(3 * t.cells(), 0.0f);
@@ -203,10 +198,7 @@ double GasGrid::Impl::signal_rate(FiveDensities const& q) const noexcept {
 }
 
 Vec3 GasGrid::Impl::centre(Int3 const& cell) const noexcept {
-  Vec3 x{};
-  for (std::size_t a = 0; a < 3; ++a)
-    x[a] = context.lower[a] + (context.swept[a] ? static_cast<double>(cell[a]) + 0.5 : 0.0) * context.h[a];
-  return x;
+  return cell_centre(context.lower, context.h, context.swept, cell);
 }
 
 void GasGrid::Impl::set(std::function<FiveDensities(Int3 const&)> const& mean, double t) {

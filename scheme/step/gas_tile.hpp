@@ -5,14 +5,13 @@
 #include <span>
 #include <vector>
 
+#include "scheme/grid/cell_place.hpp"
 #include "scheme/grid/tiling.hpp"
 #include "scheme/kernel/gas_kernels.hpp"
 #include "scheme/step/gas_fields.hpp"
 #include "scheme/step/gas_grid.hpp"
 
 namespace g27 {
-
-inline constexpr std::size_t vector_cells = 8;  ///< the widest vector of any instruction set
 
 /// Five conserved densities: mass, momentum along x, y, z, energy.
 using FiveDensities = std::array<double, 5>;

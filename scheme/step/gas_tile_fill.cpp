@@ -8,15 +8,6 @@
 
 namespace g27 {
 
-namespace {
-
-/// Where a row or a column of cells lies: before the tile, in it or behind it.
-int region_of(int i, int n) noexcept { return i < 0 ? -1 : i >= n ? 1 : 0; }
-/// Index of that cell in the tile of its region.
-int local(int i, int n, int other_n) noexcept { return i < 0 ? other_n + i : i >= n ? i - n : i; }
-
-}  // namespace
-
 void GasTile::store_state(int dims) {
   if (stored()) return;
   std::size_t const size = static_cast<std::size_t>(field) * 5;
@@ -40,12 +31,8 @@ GridBoundary const& GridContext::condition(Side side, Vec3 const& x) const noexc
 }
 
 Vec3 TileWork::centre(Int3 const& cell) const noexcept {
-  Vec3 x{};
-  for (std::size_t a = 0; a < 3; ++a) {
-    double const cells = g_.swept[a] ? static_cast<double>(tile_->box.first[a] + cell[a]) + 0.5 : 0.0;
-    x[a] = g_.lower[a] + cells * g_.h[a];
-  }
-  return x;
+  Int3 const& first = tile_->box.first;
+  return cell_centre(g_.lower, g_.h, g_.swept, {first[0] + cell[0], first[1] + cell[1], first[2] + cell[2]});
 }
 
 bool TileWork::gas_ends(int axis, int direction) const noexcept {
@@ -60,7 +47,7 @@ void TileWork::gather_row(int j, int k) {
   // each part's last vector runs into the next part, which is written after it
   if (H > 0) gather_part({-1, dy, dz}, j, k, -H, 0);
   gather_part({0, dy, dz}, j, k, 0, nx_);
-  std::size_t const past = static_cast<std::size_t>(nx_) % vector_cells;
+  std::ptrdiff_t const past = nx_ % vector_cells;
   if (past > 0) {
     // lanes beyond the row repeat its last cell, so that they cost nothing special
     std::ptrdiff_t const end = origin_ + index(nx_, j, k);
@@ -78,7 +65,8 @@ void TileWork::gather_part(Int3 const& region, int j, int k, int begin, int end)
   std::size_t const n = static_cast<std::size_t>(end - begin);
   RowIn from;
   if (other >= 0 && !t.uniform && region[0] == 0) {
-    double const* const at = t.now.data() + t.index(0, local(j, ny_, t.box.size[1]), local(k, nz_, t.box.size[2]));
+    double const* const at =
+        t.now.data() + t.index(0, local_index(j, ny_, t.box.size[1]), local_index(k, nz_, t.box.size[2]));
     from = RowIn::of({at, at + t.field, at + 2 * t.field, at + 3 * t.field, at + 4 * t.field});
   } else {
     std::array<double*, 5> const row{gathered_.rho.data(), gathered_.u[0].data(), gathered_.u[1].data(),
@@ -88,8 +76,8 @@ void TileWork::gather_part(Int3 const& region, int j, int k, int begin, int end)
       if (other < 0 || t.uniform) {
         std::fill_n(row[d], n, other < 0 ? t.at(t.now, d, 0) : t.state[d]);
       } else {
-        std::ptrdiff_t const at =
-            t.index(local(begin, nx_, t.box.size[0]), local(j, ny_, t.box.size[1]), local(k, nz_, t.box.size[2]));
+        std::ptrdiff_t const at = t.index(local_index(begin, nx_, t.box.size[0]), local_index(j, ny_, t.box.size[1]),
+                                          local_index(k, nz_, t.box.size[2]));
         std::copy_n(t.now.data() + static_cast<std::ptrdiff_t>(d) * t.field + at, n, row[d]);
       }
       std::fill_n(row[d] + n, vector_cells, row[d][n - 1]);

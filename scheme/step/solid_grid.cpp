@@ -16,7 +16,6 @@ namespace {
 
 /// Tile sizes that measured fastest: a plane's fluxes and terms stay in the second cache.
 constexpr Int3 tile_1d{1024, 1, 1}, tile_2d{64, 64, 1}, tile_3d{64, 8, 32};
-constexpr std::ptrdiff_t vector_cells = 8;  ///< the widest vector of any instruction set
 constexpr double elastic_cfl = 0.8, plastic_cfl = 0.7;
 
 SolidVector vector_of(SolidDensities const& q) noexcept {
@@ -78,13 +77,9 @@ SolidContext SolidGrid::Impl::context_of(Impl& m) {
                  .eos = std::visit([](auto const& e) -> void const* { return &e; }, solid.eos),
                  .strength = {solid.mu, solid.Y0, solid.H},
                  .plastic = solid.plastic(),
-                 .swept = {},
+                 .swept = swept_axes(s.cells),
                  .lower = s.lower,
-                 .h = {1, 1, 1}};
-  for (std::size_t a = 0; a < 3; ++a) {
-    c.swept[a] = s.cells[a] > 1;
-    if (c.swept[a]) c.h[a] = (s.upper[a] - s.lower[a]) / static_cast<double>(s.cells[a]);
-  }
+                 .h = cell_widths(s.lower, s.upper, s.cells)};
   return c;
 }
 
@@ -94,7 +89,7 @@ SolidGrid::Impl::Impl(SolidGridSetup s)
   for (TileId id = 0; id < tiling.count(); ++id) {
     SolidTile t;
     t.box = tiling.box(id);
-    t.row = (t.box.size[0] + vector_cells - 1) / vector_cells * vector_cells;
+    t.row = padded_row(t.box.size[0]);
     t.field = t.row * t.box.size[1] * t.box.size[2];
     std::size_t const size = static_cast<std::size_t>(t.field) * solid_conserved::fields + 16;
     t.now.resize(size), t.next.resize(size);
@@ -147,10 +142,7 @@ double SolidGrid::Impl::signal_rate(SolidVector const& q) const noexcept {
 }
 
 Vec3 SolidGrid::Impl::centre(Int3 const& cell) const noexcept {
-  Vec3 x{};
-  for (std::size_t a = 0; a < 3; ++a)
-    x[a] = context.lower[a] + (context.swept[a] ? static_cast<double>(cell[a]) + 0.5 : 0.0) * context.h[a];
-  return x;
+  return cell_centre(context.lower, context.h, context.swept, cell);
 }
 
 void SolidGrid::Impl::set(std::function<SolidVector(Int3 const&)> const& mean, double t) {

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "scheme/grid/cell_place.hpp"
 #include "scheme/grid/line.hpp"
 #include "scheme/grid/tiling.hpp"
 #include "scheme/kernel/solid_kernels.hpp"

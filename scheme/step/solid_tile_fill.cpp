@@ -11,20 +11,13 @@ namespace g27 {
 
 namespace {
 
-int region_of(int i, int n) noexcept { return i < 0 ? -1 : i >= n ? 1 : 0; }
-int local(int i, int n, int other_n) noexcept { return i < 0 ? other_n + i : i >= n ? i - n : i; }
-
 constexpr double extrapolated_share = 0.5;  ///< of the density, that an extrapolation may take off or add
 
 }  // namespace
 
 Vec3 SolidTileWork::centre(Int3 const& cell) const noexcept {
-  Vec3 x{};
-  for (std::size_t a = 0; a < 3; ++a) {
-    double const cells = g_.swept[a] ? static_cast<double>(tile_->box.first[a] + cell[a]) + 0.5 : 0.0;
-    x[a] = g_.lower[a] + cells * g_.h[a];
-  }
-  return x;
+  Int3 const& first = tile_->box.first;
+  return cell_centre(g_.lower, g_.h, g_.swept, {first[0] + cell[0], first[1] + cell[1], first[2] + cell[2]});
 }
 
 bool SolidTileWork::box_ends(int axis, bool low) const noexcept {
@@ -53,8 +46,8 @@ void SolidTileWork::gather_row(int j, int k) {
       if (other < 0) {
         std::fill_n(to, n, t.now[static_cast<std::size_t>(d * t.field)]);
       } else {
-        std::ptrdiff_t const at =
-            t.index(local(begin, nx_, t.box.size[0]), local(j, ny_, t.box.size[1]), local(k, nz_, t.box.size[2]));
+        std::ptrdiff_t const at = t.index(local_index(begin, nx_, t.box.size[0]), local_index(j, ny_, t.box.size[1]),
+                                          local_index(k, nz_, t.box.size[2]));
         std::memcpy(to, t.now.data() + d * t.field + at, n * sizeof(double));
       }
     }

@@ -68,6 +68,10 @@ void write_run(std::filesystem::path const& file, Scene const& scene, SceneRun c
   write_atomically(file.parent_path() / (file.stem().string() + ".xdmf"), xdmf(file.filename().string(), record));
 }
 
+void check_resumable(std::filesystem::path const& file, Scene const& scene, SceneRun const& run) {
+  check_identity(Hdf5Reader(file), file, scene, run);
+}
+
 RunRecord read_run(std::filesystem::path const& file, Scene const& scene, SceneRun const& run) {
   Hdf5Reader const in(file);
   check_identity(in, file, scene, run);

@@ -11,6 +11,9 @@ namespace g27 {
 void write_run(std::filesystem::path const& file, Scene const& scene, SceneRun const& run, RunRecord const& record,
                int threads);
 
+/// Throws as read_run() does for a file that belongs to something else.
+void check_resumable(std::filesystem::path const& file, Scene const& scene, SceneRun const& run);
+
 /// Reads a record back. Throws OutputError, or InputError when the file belongs to another scene or other settings.
 RunRecord read_run(std::filesystem::path const& file, Scene const& scene, SceneRun const& run);
 

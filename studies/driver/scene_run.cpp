@@ -82,7 +82,7 @@ SceneResult run_scene(Scene const& scene, SceneRunOptions const& options) {
   // what cannot be resumed is refused before anything is written
   for (SceneRun const& run : scene.runs) {
     auto const file = options.out / (run.name + ".h5");
-    if (options.resume && std::filesystem::exists(file)) (void)read_run(file, scene, run);
+    if (options.resume && std::filesystem::exists(file)) check_resumable(file, scene, run);
   }
 
   auto const work = [&](int threads) {

@@ -2,6 +2,8 @@
 
 usage: order-solid.py STUDY.h5 OUT.png
 """
+import pathlib
+import runpy
 import sys
 
 import h5py
@@ -11,13 +13,8 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
-STYLE = {"godunov": ("tab:gray", "s"), "linear, off": ("tab:cyan", "v"), "linear, graded": ("tab:blue", "o"),
-         "parabolic, off": ("tab:orange", "<"), "parabolic, on": ("tab:red", "D")}
-
-
-def read(group):
-    """Columns of a table; NaN where a number is missing."""
-    return {name: data.asstr()[:] if h5py.check_string_dtype(data.dtype) else data[:] for name, data in group.items()}
+shared = runpy.run_path(str(pathlib.Path(__file__).with_name("order-2d.py")))
+STYLE, read = shared["STYLE"], shared["read"]
 
 
 def main():

@@ -1,19 +1,9 @@
 /// Observed orders of the gas schemes in two dimensions on smooth problems.
+#include "studies/orders/order_schemes.hpp"
 #include "studies/orders/order_tables.hpp"
 
 namespace g27 {
 namespace {
-
-struct Scheme {
-  std::string name;
-  Predictor predictor;
-  Switch monotonicity;
-};
-std::vector<Scheme> const schemes{{"godunov", Predictor::godunov, Switch::off},
-                                  {"linear, off", Predictor::linear, Switch::off},
-                                  {"linear, graded", Predictor::linear, Switch::graded},
-                                  {"parabolic, off", Predictor::parabolic, Switch::off},
-                                  {"parabolic, on", Predictor::parabolic, Switch::graded}};
 
 /// Fine enough for the asymptotic range; sources (mms) are evaluated in every cell and step, hence few cells.
 std::vector<int> grids(std::string const& problem, Predictor predictor) {
@@ -30,7 +20,7 @@ std::vector<int> grids(std::string const& problem, Predictor predictor) {
 std::vector<OrderRow> all_rows() {
   std::vector<OrderRow> rows;
   auto const add = [&](std::string const& problem, std::string const& eos, std::string const& mesh) {
-    for (Scheme const& s : schemes) {
+    for (OrderScheme const& s : order_schemes) {
       OrderRow row{"laws", problem, eos, mesh, s.name, {}, grids(problem, s.predictor)};
       row.options.predictor = s.predictor, row.options.monotonicity = s.monotonicity;
       rows.push_back(row);

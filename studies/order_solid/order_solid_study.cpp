@@ -1,24 +1,13 @@
 /// Observed orders of the solid schemes on smooth problems in one, two and three dimensions, in every variable.
 #include <algorithm>
-#include <cmath>
-#include <set>
+#include <functional>
 
+#include "studies/orders/order_schemes.hpp"
 #include "studies/orders/order_tables.hpp"
 #include "verification/cases/solid_problem.hpp"
 
 namespace g27 {
 namespace {
-
-struct Scheme {
-  std::string name;
-  Predictor predictor;
-  Switch monotonicity;
-};
-std::vector<Scheme> const schemes{{"godunov", Predictor::godunov, Switch::off},
-                                  {"linear, off", Predictor::linear, Switch::off},
-                                  {"linear, graded", Predictor::linear, Switch::graded},
-                                  {"parabolic, off", Predictor::parabolic, Switch::off},
-                                  {"parabolic, on", Predictor::parabolic, Switch::graded}};
 
 struct Problem {
   std::string group, name;
@@ -57,7 +46,7 @@ std::vector<OrderRow> all_rows() {
     for (std::string const& medium : p.media) {
       SolidMedium const m = solid_medium(medium);
       double const u = p.amplitude * m.sound, stress = m.rho0 * m.sound * u;
-      for (Scheme const& s : schemes) {
+      for (OrderScheme const& s : order_schemes) {
         OrderRow row{
             p.group, p.name, medium, "fixed", s.name, {}, s.predictor == Predictor::parabolic ? p.coarse : p.cells};
         row.options.predictor = s.predictor, row.options.monotonicity = s.monotonicity;
@@ -75,23 +64,18 @@ std::vector<OrderRow> all_rows() {
 /// Variables that a problem moves: those whose error on the finest grid is no less than this part of its largest one.
 /// The others carry products of errors, and round-off.
 constexpr double least_share = 0.01;
-bool moves(RowResult const& r, VariableOrder const& v) {
+void keep_moving(RowResult& r) {
+  if (!r.failure.empty()) return;
+  auto const finest = [](VariableOrder const& v) { return v.errors.empty() ? 0.0 : v.errors.back().l1; };
   double largest = 0;
-  for (VariableOrder const& other : r.variables) {
-    if (!other.errors.empty()) largest = std::max(largest, other.errors.back().l1);
-  }
-  return !v.errors.empty() && v.errors.back().l1 >= least_share * largest;
+  for (VariableOrder const& v : r.variables) largest = std::max(largest, finest(v));
+  std::erase_if(r.variables,
+                [&](VariableOrder const& v) { return v.errors.empty() || !(finest(v) >= least_share * largest); });
 }
 
 StudyReport run(StudyContext const& context) {
   std::vector<RowResult> results = measure_orders(all_rows(), context);
-  for (RowResult& r : results) {
-    std::set<std::string> still;
-    for (VariableOrder const& v : r.variables) {
-      if (r.failure.empty() && !moves(r, v)) still.insert(v.variable);
-    }
-    std::erase_if(r.variables, [&](VariableOrder const& v) { return still.contains(v.variable); });
-  }
+  for (RowResult& r : results) keep_moving(r);
   std::vector<Finding> findings;
   auto const claim = [&](std::string const& text, std::string const& scheme, double low, double high,
                          std::function<bool(OrderRow const&)> const& chosen) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "riemann/eos/factory.hpp"
+#include "verification/cases/grid_run.hpp"
 #include "verification/cases/run_facts.hpp"
 #include "verification/measure/norms.hpp"
 
@@ -15,15 +16,6 @@ namespace g27 {
 namespace {
 
 using Field = GasGrid::Field;
-
-template <class F>
-void for_each_cell(Int3 const& cells, F const& f) {
-  for (int k = 0; k < cells[2]; ++k) {
-    for (int j = 0; j < cells[1]; ++j) {
-      for (int i = 0; i < cells[0]; ++i) f(Int3{i, j, k});
-    }
-  }
-}
 
 GasGridSetup setup_of(GridProblem const& problem, int cells, CaseOptions const& options) {
   GasGridSetup setup{.eos = problem.eos,
@@ -65,26 +57,6 @@ GasGridSetup setup_of(GridProblem const& problem, int cells, CaseOptions const& 
   return setup;
 }
 
-std::string text_of(Int3 const& cell) {
-  return "(" + std::to_string(cell[0]) + ", " + std::to_string(cell[1]) + ", " + std::to_string(cell[2]) + ")";
-}
-
-/// Steps to the end; throws when one fails, or when there is no end: an unstable run stalls at ever smaller steps.
-void advance(std::string const& name, GasGrid& grid, GridProblem const& problem, int cells) {
-  std::uint64_t const most = 100'000 + 1000 * static_cast<std::uint64_t>(cells);
-  auto const more = [&] {
-    return problem.steps > 0 ? grid.counters().steps < static_cast<std::uint64_t>(problem.steps)
-                             : grid.time() < problem.t_end;
-  };
-  double const t_end = problem.steps > 0 ? 1e300 : problem.t_end;
-  while (more()) {
-    GridStepReport const step = grid.step(t_end);
-    std::string const where = name + ": the step at t = " + std::to_string(grid.time());
-    if (step.status != StepStatus::ok) throw std::runtime_error(where + " failed in cell " + text_of(step.cell));
-    if (grid.counters().steps > most) throw std::runtime_error(where + " is one too many");
-  }
-}
-
 void compare(GasGrid const& grid, GridProblem const& problem, CaseResult& r) {
   static char const* const names[] = {"density", "velocity_x", "velocity_y", "velocity_z", "pressure"};
   std::array<std::vector<double>, 5> value, reference;
@@ -99,16 +71,14 @@ void compare(GasGrid const& grid, GridProblem const& problem, CaseResult& r) {
     for (std::size_t d = 0; d < 3; ++d) hold(d + 1, a.u[d], b.u[d]);
   });
   std::vector<double> const measure(value[0].size(), 1.0);
-  Norms squares{};
   for (std::size_t k = 0; k < 5; ++k) {
     bool const component = k >= 1 && k <= 3;
     if (component && static_cast<int>(k) > problem.dimensions) continue;
     Norms const e = norms(value[k], reference[k], measure);
     r.errors[names[k]] = e;
     if (!component) r.overshoot[names[k]] = overshoot(value[k], reference[k]);
-    if (component) squares.l1 += e.l1 * e.l1, squares.l2 += e.l2 * e.l2, squares.linf += e.linf * e.linf;
   }
-  r.errors["velocity"] = {std::sqrt(squares.l1), std::sqrt(squares.l2), std::sqrt(squares.linf)};
+  combine_velocity(r);
 }
 
 GridFields fields_of(GasGrid const& grid, Vec3 const& lower) {
@@ -161,7 +131,13 @@ CaseResult run_problem(std::string const& name, int cells, GridProblem problem, 
 
   auto const wall_start = std::chrono::steady_clock::now();
   double const cpu_start = cpu_seconds();
-  advance(name, grid, problem, n);
+  advance(
+      name, grid, n, problem.steps > 0 ? 1e300 : problem.t_end,
+      [&] {
+        return problem.steps > 0 ? grid.counters().steps < static_cast<std::uint64_t>(problem.steps)
+                                 : grid.time() < problem.t_end;
+      },
+      [](double) {});
   CaseResult r;
   r.cpu_s = cpu_seconds() - cpu_start;
   r.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
@@ -170,13 +146,7 @@ CaseResult run_problem(std::string const& name, int cells, GridProblem problem, 
   r.order = order_of(o.predictor), r.scheme = name_of(o.predictor), r.monotonicity = name_of(o.monotonicity);
   r.mesh = options.mesh.value_or("fixed"), r.eos = eos_name(problem.eos);
   r.counters = grid.counters();
-  GridLedger const ledger = grid.ledger();
-  r.ledger = {.mass = ledger.mass,
-              .momentum = *std::max_element(ledger.momentum.begin(), ledger.momentum.end(),
-                                            [](LedgerEntry const& a, LedgerEntry const& b) {
-                                              return std::fabs(a.residual()) < std::fabs(b.residual());
-                                            }),
-              .energy = ledger.energy};
+  r.ledger = case_ledger(grid.ledger());
   if (problem.reference) compare(grid, problem, r);
   if (problem.measure) problem.measure(grid, r);
   if (options.fields) r.fields = fields_of(grid, problem.lower);

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "verification/cases/grid_problem.hpp"
+#include "verification/cases/grid_run.hpp"
 #include "verification/cases/run_facts.hpp"
 #include "verification/measure/norms.hpp"
 
@@ -43,46 +44,24 @@ SolidGridSetup setup_of(SolidProblem const& problem, int cells, CaseOptions cons
   return setup;
 }
 
-void advance(std::string const& name, SolidGrid& grid, SolidProblem const& problem, int cells) {
-  std::uint64_t const most = 100'000 + 1000 * static_cast<std::uint64_t>(cells);
-  while (grid.time() < problem.t_end) {
-    GridStepReport const step = grid.step(problem.t_end);
-    std::string const where = name + ": the step at t = " + std::to_string(grid.time());
-    if (step.status != StepStatus::ok) {
-      throw std::runtime_error(where + " failed in cell (" + std::to_string(step.cell[0]) + ", " +
-                               std::to_string(step.cell[1]) + ", " + std::to_string(step.cell[2]) + ")");
-    }
-    if (grid.counters().steps > most) throw std::runtime_error(where + " is one too many");
-    if (problem.after_step) problem.after_step(grid, step.dt);
-  }
-}
-
 void compare(SolidGrid const& grid, SolidProblem const& problem, SolidMaterial const& material, CaseResult& r) {
   auto const& names = solid_variables();
   std::array<std::vector<double>, 11> value, reference;
-  Int3 const n = grid.cells();
-  for (int k = 0; k < n[2]; ++k) {
-    for (int j = 0; j < n[1]; ++j) {
-      for (int i = 0; i < n[0]; ++i) {
-        Vec3 const x = grid.centre({i, j, k});
-        if (problem.compared && !problem.compared(x)) continue;
-        auto const a = solid_values(grid.primitive({i, j, k}));
-        auto const b = solid_values(solid_point_of(material, problem.reference(x, grid.widths())));
-        for (std::size_t v = 0; v < a.size(); ++v) value[v].push_back(a[v]), reference[v].push_back(b[v]);
-      }
-    }
-  }
+  for_each_cell(grid.cells(), [&](Int3 const& cell) {
+    Vec3 const x = grid.centre(cell);
+    if (problem.compared && !problem.compared(x)) return;
+    auto const a = solid_values(grid.primitive(cell));
+    auto const b = solid_values(solid_point_of(material, problem.reference(x, grid.widths())));
+    for (std::size_t v = 0; v < a.size(); ++v) value[v].push_back(a[v]), reference[v].push_back(b[v]);
+  });
   std::vector<double> const measure(value[0].size(), 1.0);
-  Norms squares{};
   for (std::size_t v = 0; v < names.size(); ++v) {
     Norms const e = norms(value[v], reference[v], measure);
     r.errors[names[v]] = e;
     r.overshoot[names[v]] = overshoot(value[v], reference[v]);
     if (problem.dimensions == 1) r.profile_ref[names[v]] = reference[v];
-    if (v < 1 || v > 3) continue;
-    squares.l1 += e.l1 * e.l1, squares.l2 += e.l2 * e.l2, squares.linf += e.linf * e.linf;
   }
-  r.errors["velocity"] = {std::sqrt(squares.l1), std::sqrt(squares.l2), std::sqrt(squares.linf)};
+  combine_velocity(r);
 }
 
 void keep_profile(SolidGrid const& grid, CaseResult& r) {
@@ -157,7 +136,11 @@ CaseResult run_problem(std::string const& name, int cells, SolidProblem const& p
 
   auto const wall_start = std::chrono::steady_clock::now();
   double const cpu_start = cpu_seconds();
-  advance(name, grid, problem, n);
+  advance(
+      name, grid, n, problem.t_end, [&] { return grid.time() < problem.t_end; },
+      [&](double dt) {
+        if (problem.after_step) problem.after_step(grid, dt);
+      });
   CaseResult r;
   r.cpu_s = cpu_seconds() - cpu_start;
   r.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
@@ -169,13 +152,7 @@ CaseResult run_problem(std::string const& name, int cells, SolidProblem const& p
   SolidCounters const& c = grid.counters();
   r.counters.steps = c.steps, r.counters.faces = c.faces, r.counters.cell_updates = c.cell_updates;
   r.counters.switched = c.switched, r.counters.retried = c.retried;
-  SolidLedger const ledger = grid.ledger();
-  r.ledger = {.mass = ledger.mass,
-              .momentum = *std::max_element(ledger.momentum.begin(), ledger.momentum.end(),
-                                            [](LedgerEntry const& a, LedgerEntry const& b) {
-                                              return std::fabs(a.residual()) < std::fabs(b.residual());
-                                            }),
-              .energy = ledger.energy};
+  r.ledger = case_ledger(grid.ledger());
   if (problem.dimensions == 1) keep_profile(grid, r);
   if (problem.reference) compare(grid, problem, material, r);
   if (problem.measure) problem.measure(grid, r);

@@ -70,6 +70,14 @@ std::vector<double> numbers(OracleArguments const& arguments, std::string const&
   return range;
 }
 
+std::optional<Samples> samples_argument(OracleArguments const& arguments) {
+  if (given(arguments, "x") != given(arguments, "t"))
+    throw OracleError{given(arguments, "x") ? "t" : "x", "is missing", "give both x and t to sample the solution"};
+  if (!given(arguments, "x")) return std::nullopt;
+  double const t = positive_number(arguments, "t"), x0 = arguments.contains("x0") ? number(arguments, "x0") : 0.0;
+  return Samples{numbers(arguments, "x"), t, x0};
+}
+
 std::string word(OracleArguments const& arguments, std::string const& key, std::vector<std::string> const& words) {
   std::string const& value = arguments.at(key);
   if (std::find(words.begin(), words.end(), value) != words.end()) return value;

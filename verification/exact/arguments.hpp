@@ -1,5 +1,6 @@
 #pragma once
 /// Reading the arguments of an oracle.
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,15 @@ double positive_number(OracleArguments const& arguments, std::string const& key)
 std::vector<double> numbers(OracleArguments const& arguments, std::string const& key);
 /// One of `words`; throws OracleError.
 std::string word(OracleArguments const& arguments, std::string const& key, std::vector<std::string> const& words);
+
+/// Where and when to sample a self-similar solution.
+struct Samples {
+  std::vector<double> x;  ///< as given
+  double t, x0;           ///< x0: 0 where the oracle has none
+  [[nodiscard]] double speed(double position) const { return (position - x0) / t; }
+};
+/// Nothing where neither x nor t is given; throws OracleError where one is missing.
+std::optional<Samples> samples_argument(OracleArguments const& arguments);
 
 /// The parameters of all laws, each with `suffix` appended; `eos` falls back to `fallback`.
 std::vector<OracleParameter> eos_parameters(std::string const& suffix = "", std::string const& fallback = "ideal");

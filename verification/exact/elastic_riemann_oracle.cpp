@@ -39,22 +39,19 @@ OracleRecord solve(OracleArguments const& arguments) {
                    {"traction_star", list(solution.traction_star())},
                    {"rays", solution.rays()},
                    {"residual", solution.residual()}};
-  if (given(arguments, "x") != given(arguments, "t"))
-    throw OracleError{given(arguments, "x") ? "t" : "x", "is missing", "give both x and t to sample the solution"};
-  if (!given(arguments, "x")) return out;
-  double const t = positive_number(arguments, "t"), x0 = number(arguments, "x0");
-  std::vector<double> const x = numbers(arguments, "x");
+  auto const samples = samples_argument(arguments);
+  if (!samples) return out;
   std::vector<double> rho, p;
   std::array<std::vector<double>, 3> u;
   std::array<std::vector<double>, 6> S;
-  for (double const position : x) {
-    SolidPoint const s = solution.at((position - x0) / t);
+  for (double const position : samples->x) {
+    SolidPoint const s = solution.at(samples->speed(position));
     rho.push_back(s.rho);
     p.push_back(s.p);
     for (std::size_t i = 0; i < 3; ++i) u[i].push_back(s.u[i]);
     for (std::size_t c = 0; c < 6; ++c) S[c].push_back(s.S[c]);
   }
-  out.insert(out.end(), {{"x", x}, {"rho", rho}, {"p", p}});
+  out.insert(out.end(), {{"x", samples->x}, {"rho", rho}, {"p", p}});
   for (std::size_t i = 0; i < 3; ++i) out.push_back({std::string("u") + axes[i], u[i]});
   for (std::size_t c = 0; c < 6; ++c) out.push_back({std::string("s") + components[c], S[c]});
   return out;

@@ -28,15 +28,12 @@ OracleRecord solve(OracleArguments const& arguments) {
                          {"e_behind", behind.e},
                          {"sxx_behind", behind.sxx},
                          {"ep_behind", behind.ep}});
-  if (given(arguments, "x") != given(arguments, "t"))
-    throw OracleError{given(arguments, "x") ? "t" : "x", "is missing", "give both x and t to sample the solution"};
-  if (!given(arguments, "x")) return out;
-  double const t = positive_number(arguments, "t");
-  std::vector<double> const x = numbers(arguments, "x");
-  SolidColumns samples;
-  for (double const position : x) samples.add(waves.at(position / t));
-  out.push_back({"x", x});
-  samples.append_to(out);
+  auto const samples = samples_argument(arguments);
+  if (!samples) return out;
+  SolidColumns columns;
+  for (double const position : samples->x) columns.add(waves.at(samples->speed(position)));
+  out.push_back({"x", samples->x});
+  columns.append_to(out);
   return out;
 }
 

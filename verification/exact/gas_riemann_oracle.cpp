@@ -15,19 +15,16 @@ OracleRecord solve(OracleArguments const& arguments) {
                    {"rho_star_l", solution.rho_star_l()}, {"rho_star_r", solution.rho_star_r()},
                    {"wave_l", solution.wave_l()},         {"wave_r", solution.wave_r()},
                    {"pattern", solution.pattern()},       {"speeds", solution.speeds()}};
-  if (given(arguments, "x") != given(arguments, "t"))
-    throw OracleError{given(arguments, "x") ? "t" : "x", "is missing", "give both x and t to sample the solution"};
-  if (!given(arguments, "x")) return out;
-  double const t = positive_number(arguments, "t"), x0 = number(arguments, "x0");
-  std::vector<double> const x = numbers(arguments, "x");
+  auto const samples = samples_argument(arguments);
+  if (!samples) return out;
   std::vector<double> rho, u, p;
-  for (double const position : x) {
-    GasState<> const s = solution.at((position - x0) / t);
+  for (double const position : samples->x) {
+    GasState<> const s = solution.at(samples->speed(position));
     rho.push_back(s.rho);
     u.push_back(s.u);
     p.push_back(s.p);
   }
-  out.insert(out.end(), {{"x", x}, {"rho", rho}, {"u", u}, {"p", p}});
+  out.insert(out.end(), {{"x", samples->x}, {"rho", rho}, {"u", u}, {"p", p}});
   return out;
 }
 
