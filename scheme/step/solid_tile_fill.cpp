@@ -114,11 +114,10 @@ void SolidTileWork::set_inflow(SolidBoundary const& b, Int3 const& cell) {
     if (g_.swept[a]) axes.push_back(a);
   }
   std::size_t count = std::size_t{1} << axes.size();
-  double const t = g_.time + 0.5 * g_.dt;
   for (std::size_t m = 0; m < count; ++m) {
     Vec3 at = x;
     for (std::size_t n = 0; n < axes.size(); ++n) at[axes[n]] += 0.5 * g_.h[axes[n]] * gauss[(m >> n) & 1u].x;
-    SolidPoint const p = b.state(at, t);
+    SolidPoint const p = b.state(at, g_.time);
     auto& q = s[m];
     q[to::rho] = p.rho, q[to::p] = p.p, q[to::ep] = p.ep;
     for (std::size_t c = 0; c < 3; ++c) q[to::u + c] = p.u[c];

@@ -18,8 +18,8 @@ struct Problem {
 
 std::vector<Problem> problems() {
   std::vector<int> const line{80, 112, 160, 224, 320}, short_line{32, 48, 64, 96, 128};
-  std::vector<int> const plane{48, 64, 96, 128}, space{16, 24, 32, 48}, sources{24, 32, 48, 64},
-      sources_3d{8, 12, 16, 24};
+  std::vector<int> const plane{48, 64, 96, 128}, space{40, 60, 80}, sources{24, 32, 48, 64},
+      sources_3d{16, 24, 32, 48};
   std::vector<int> const step{160, 224, 320, 448};
   return {{"waves", "solid-p-1d", 1e-3, line, short_line, {"steel", "aluminium"}},
           {"waves", "solid-s-1d", 1e-3, line, short_line, {"steel", "aluminium"}},

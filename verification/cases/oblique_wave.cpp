@@ -44,6 +44,8 @@ ObliqueBox oblique_box(int dimensions) {
   return {{1.0 / 3, 2.0 / 3, 2.0 / 3}, {3, 1.5, 1.5}};
 }
 
+ObliqueBox uneven_box() { return {{0.48, 0.6, 0.64}, {25.0 / 12, 5.0 / 3, 25.0 / 16}}; }
+
 Case acoustic_case(std::string const& name, int dimensions) {
   int const cells = dimensions == 2 ? 128 : 48;
   auto const run = [=](CaseOptions const& options) {

@@ -16,6 +16,9 @@ struct ObliqueBox {
   Vec3 normal, upper;
 };
 ObliqueBox oblique_box(int dimensions);
+/// A normal without two equal components, and more cells a wavelength: (12, 15, 16)/25 of a box 25/12 x 5/3 x 25/16;
+/// cells are cubic for multiples of 20 of them.
+ObliqueBox uneven_box();
 
 /// Sine of velocity of amplitude 1e-5 c over one period of the carrying characteristic, the exact simple wave. The
 /// medium moves; in the frame of its mean flow it is at rest.

@@ -55,12 +55,14 @@ Case made_of(SolidWaveCase const& c, int cells) {
 }  // namespace
 
 Case solid_wave_case(SolidWaveCase const& c) {
-  int const cells = c.dimensions == 1 ? 200 : c.dimensions == 2 ? 64 : 24;
+  int const cells = c.dimensions == 1 ? 200 : c.dimensions == 2 ? 64 : 40;
   Case out = made_of(c, cells);
   out.run = [=](CaseOptions const& options) {
     bool const loads = c.loading != Loading::elastic;
     SolidMedium const m = solid_medium(options.eos.value_or("steel"), loads);
-    ObliqueBox const box = c.dimensions == 1 ? ObliqueBox{{1, 0, 0}, {1, 1, 1}} : oblique_box(c.dimensions);
+    ObliqueBox const box = c.dimensions == 1   ? ObliqueBox{{1, 0, 0}, {1, 1, 1}}
+                           : c.dimensions == 2 ? oblique_box(2)
+                                               : uneven_box();
     Vec3 const n = box.normal;
     double const span = n[0] * box.upper[0] + (c.dimensions > 1 ? n[1] * box.upper[1] + n[2] * box.upper[2] : 0.0);
     double const a = c.amplitude * m.sound, k = 2 * std::numbers::pi;
