@@ -1,6 +1,7 @@
 /// Observed orders of the solid schemes on smooth problems in one, two and three dimensions, in every variable.
 #include <algorithm>
 #include <functional>
+#include <map>
 
 #include "studies/orders/order_schemes.hpp"
 #include "studies/orders/order_tables.hpp"
@@ -14,21 +15,24 @@ struct Problem {
   double amplitude;                ///< over the speed of P waves
   std::vector<int> cells, coarse;  ///< of the linear and Godunov's schemes; of the parabolic one
   std::vector<std::string> media{"steel"};
+  std::map<std::string, double> set{};  ///< parameters of the case
 };
 
 std::vector<Problem> problems() {
   std::vector<int> const line{80, 112, 160, 224, 320}, short_line{32, 48, 64, 96, 128};
-  std::vector<int> const plane{48, 64, 96, 128}, space{40, 60, 80}, sources{24, 32, 48, 64},
-      sources_3d{16, 24, 32, 48};
+  std::vector<int> const plane{48, 64, 96, 128}, space{40, 50, 60, 80}, sources{24, 32, 48, 64}, sources_3d{24, 32, 48},
+      sources_coarse{16, 24, 32};
   std::vector<int> const step{160, 224, 320, 448};
   return {{"waves", "solid-p-1d", 1e-3, line, short_line, {"steel", "aluminium"}},
           {"waves", "solid-s-1d", 1e-3, line, short_line, {"steel", "aluminium"}},
-          {"coupled", "solid-coupled-1d", 0.02, line, short_line, {"steel", "aluminium"}},
-          {"coupled", "solid-coupled-2d", 0.02, plane, plane},
-          {"coupled", "solid-coupled-3d", 0.02, space, space},
+          {"coupled S", "solid-coupled-1d", 0.02, line, short_line, {"steel", "aluminium"}},
+          {"coupled P", "solid-coupled-2d", 0.02, plane, plane, {"steel"}, {{"family", 0}}},
+          {"coupled S", "solid-coupled-2d", 0.02, plane, plane, {"steel"}, {{"family", 1}}},
+          {"coupled P", "solid-coupled-3d", 0.02, space, space, {"steel"}, {{"family", 0}}},
+          {"coupled S", "solid-coupled-3d", 0.02, space, space, {"steel"}, {{"family", 1}}},
           {"manufactured", "solid-mms-1d", 0.02, line, short_line, {"steel", "aluminium"}},
           {"manufactured", "solid-mms-2d", 0.02, sources, sources},
-          {"manufactured", "solid-mms-3d", 0.02, sources_3d, sources_3d},
+          {"manufactured", "solid-mms-3d", 0.02, sources_3d, sources_coarse},
           {"boundaries", "solid-fixed-1d", 1e-7, line, line},
           {"boundaries", "solid-traction-1d", 1e-7, line, line},
           {"boundaries", "solid-wall-1d", 1e-7, line, line},
@@ -50,6 +54,7 @@ std::vector<OrderRow> all_rows() {
         OrderRow row{
             p.group, p.name, medium, "fixed", s.name, {}, s.predictor == Predictor::parabolic ? p.coarse : p.cells};
         row.options.predictor = s.predictor, row.options.monotonicity = s.monotonicity;
+        row.options.values = p.set;
         for (std::string const& v : solid_variables()) {
           double const unit = v == "density" ? m.rho0 * p.amplitude : v.substr(0, 8) == "velocity" ? u : stress;
           row.units.emplace_back(v, unit);
@@ -62,8 +67,9 @@ std::vector<OrderRow> all_rows() {
 }
 
 /// Variables that a problem moves: those whose error on the finest grid is no less than this part of its largest one.
-/// The others carry products of errors, and round-off.
-constexpr double least_share = 0.01;
+/// The others carry products of errors, and round-off: an S wave moves density and pressure by the square of its
+/// amplitude. P waves across the grid move all eleven.
+constexpr double least_share = 0.02;
 void keep_moving(RowResult& r) {
   if (!r.failure.empty()) return;
   auto const finest = [](VariableOrder const& v) { return v.errors.empty() ? 0.0 : v.errors.back().l1; };
@@ -88,7 +94,8 @@ StudyReport run(StudyContext const& context) {
         elastic);
   claim("linear, graded switch, elastic, 1D to 3D, every variable: L1 order at least 1.8", "linear, graded", 1.8, 3,
         elastic);
-  claim("linear, switch off, boundaries: L1 order at least 1.8", "linear, off", 1.8, 3, group("boundaries"));
+  // what a side reflects is of third order in some variables
+  claim("linear, switch off, boundaries: L1 order at least 1.8", "linear, off", 1.8, 3.5, group("boundaries"));
   claim("linear, switch off, plastic loading, uniaxial and not proportional, 1D to 3D: L1 order at least 1.8",
         "linear, off", 1.8, 3, group("plastic"));
   claim("linear, graded switch, plastic loading: L1 order at least 1.8", "linear, graded", 1.8, 3, group("plastic"));

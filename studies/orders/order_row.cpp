@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <thread>
 
 #include "verification/cases/media.hpp"
 
@@ -54,6 +55,7 @@ RowResult measure_order(OrderRow const& row) {
   for (int const cells : row.cells) {
     CaseOptions options = row.options;
     options.cells = cells, options.eos = row.eos, options.mesh = row.mesh;
+    if (problem.dimensions > 1) options.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
     try {
       CaseResult const run = problem.run(options);
       for (std::size_t k = 0; k < units.size(); ++k) {

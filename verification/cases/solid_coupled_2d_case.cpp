@@ -4,7 +4,7 @@ namespace g27 {
 
 Case solid_coupled_2d_case() {
   return solid_wave_case({.name = "solid-coupled-2d",
-                          .title = "S wave of finite amplitude, coupled to P by pre-stress, over one period",
+                          .title = "wave of finite amplitude, P and S coupled by pre-stress, over one period",
                           .dimensions = 2,
                           .family = 1,
                           .amplitude = 0.02,

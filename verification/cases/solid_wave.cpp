@@ -41,6 +41,20 @@ SolidPoint yielding_base(SolidMedium const& m, SolidWaveCase const& c, Vector3 c
   return solid_state(m, m.rho0, {}, 0, S);
 }
 
+/// Elastic waves of finite amplitude may be of any family.
+std::vector<CaseParameter> parameters_of(SolidWaveCase const& c) {
+  if (c.stress == 0 || c.loading != Loading::elastic) return {};
+  return {{"family", static_cast<double>(c.family), "1", "of the wave: 0 P, 1 and 2 S by falling speed"}};
+}
+
+int family_of(SolidWaveCase const& c, CaseOptions const& options) {
+  std::vector<CaseParameter> const parameters = parameters_of(c);
+  if (parameters.empty()) return c.family;
+  double const family = value_of(parameters, options, "family");
+  if (family != 0 && family != 1 && family != 2) throw std::invalid_argument("family is 0, 1 or 2");
+  return static_cast<int>(family);
+}
+
 Case made_of(SolidWaveCase const& c, int cells) {
   return {.name = c.name,
           .title = c.title,
@@ -49,7 +63,8 @@ Case made_of(SolidWaveCase const& c, int cells) {
           .default_cells = cells,
           .solid = true,
           .eos = c.loading == Loading::elastic ? solid_media() : std::vector<std::string>{"steel"},
-          .meshes = {"fixed"}};
+          .meshes = {"fixed"},
+          .parameters = parameters_of(c)};
 }
 
 }  // namespace
@@ -71,7 +86,8 @@ Case solid_wave_case(SolidWaveCase const& c) {
     auto const profile = [=](double s) {
       return loads ? 0.5 * a * std::erfc((s - 0.4 * span) / (0.08 * span)) : a * std::sin(k * s);
     };
-    auto const wave = std::make_shared<PlaneWave>(m.exact, ahead, n, c.family, loads ? 0.0 : -a, a, profile, loads);
+    auto const wave =
+        std::make_shared<PlaneWave>(m.exact, ahead, n, family_of(c, options), loads ? 0.0 : -a, a, profile, loads);
     SolidProblem problem{.solid = m.scheme, .dimensions = c.dimensions, .upper = box.upper};
     problem.t_end = (loads ? 0.2 * span : 1.0) / wave->speed(0);
     auto const state = [=](Vec3 const& x, double t) { return wave->state_at(x, t); };
