@@ -2,39 +2,17 @@
 /// The yardsticks of the machine are measured in the same run, so that rates of two machines can be compared.
 #include <algorithm>
 #include <array>
-#include <chrono>
-#include <cmath>
-#include <numbers>
-#include <stdexcept>
 #include <string>
 #include <thread>
 
 #include "scheme/kernel/gas_kernels.hpp"
-#include "scheme/step/gas_grid.hpp"
+#include "studies/bench/box_waves.hpp"
 #include "studies/bench/yardsticks.hpp"
 #include "studies/driver/benchmark.hpp"
 
 namespace g27 {
 
 namespace {
-
-/// An oblique wave of 1 % over the whole box.
-GasGrid smooth_flow(AnyEos const& eos, GasState<> const& base, int cells, Predictor predictor, RiemannSolver riemann,
-                    int threads) {
-  GasGridSetup setup{.eos = eos, .cells = {cells, cells, cells}};
-  for (GridBoundary& b : setup.sides) b.kind = GridBoundary::Kind::periodic;
-  setup.options.predictor = predictor, setup.options.riemann = riemann, setup.options.threads = threads;
-  GasGrid grid(std::move(setup));
-  double const K = std::visit([&](auto const& e) { return e.bulk_modulus(base.rho, base.p); }, eos);
-  double const c = std::sqrt(K / base.rho);
-  grid.set_state(
-      [&](Vec3 const& x) {
-        double const wave = 0.01 * std::sin(2.0 * std::numbers::pi * (x[0] + x[1] + 2.0 * x[2]));
-        return GasPoint{base.rho * (1.0 + wave), {0.3 * c * (1.0 + wave), 0.2 * c, 0.1 * c}, base.p + K * wave};
-      },
-      1);
-  return grid;
-}
 
 Table run(BenchmarkOptions const& options) {
   int const cells = options.cells > 0 ? options.cells : 128;
@@ -78,15 +56,8 @@ Table run(BenchmarkOptions const& options) {
   for (Medium const& medium : media) {
     for (Scheme const& scheme : schemes) {
       for (std::size_t k = 0; k < threads.size(); ++k) {
-        GasGrid grid = smooth_flow(medium.eos, medium.base, cells, scheme.predictor, scheme.riemann, threads[k]);
-        double best = 1e300;
-        for (int step = 0; step < 6; ++step) {
-          auto const start = std::chrono::steady_clock::now();
-          if (grid.step(1e300).status != StepStatus::ok) throw std::runtime_error("euler3d: a step failed");
-          double const one = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-          if (step > 0) best = std::min(best, one);
-        }
-        double const updates = static_cast<double>(grid.cell_count()) / best;
+        GasGrid grid = gas_wave(medium.eos, medium.base, cells, scheme.predictor, scheme.riemann, threads[k]);
+        double const updates = cell_updates_per_s(grid);
         // at least: five conserved averages read, five written, each also fetched before it is written
         constexpr double bytes = 3 * 5 * sizeof(double);
         GridCounters const& n = grid.counters();

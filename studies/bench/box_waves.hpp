@@ -1,0 +1,33 @@
+#pragma once
+/// Flows for measuring rates of grids: oblique waves of 1 % over a periodic cube.
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+
+#include "scheme/step/gas_grid.hpp"
+#include "scheme/step/solid_grid.hpp"
+
+namespace g27 {
+
+GasGrid gas_wave(AnyEos const& eos, GasState<> const& base, int cells, Predictor predictor, RiemannSolver riemann,
+                 int threads);
+
+/// `rho`: unstressed. The wave's velocity is along x alone: P and S waves. With a yield stress the material is on its
+/// surface everywhere, loading in half of the box and unloading in the other half.
+SolidGrid solid_wave(AnySolid const& material, double rho, int cells, Predictor predictor, int threads);
+
+/// Cell updates over the wall clock of the fastest of five steps, after one that warms up [1/s]. Throws
+/// std::runtime_error when a step fails.
+template <class Grid>
+double cell_updates_per_s(Grid& grid) {
+  double best = 1e300;
+  for (int step = 0; step < 6; ++step) {
+    auto const start = std::chrono::steady_clock::now();
+    if (grid.step(1e300).status != StepStatus::ok) throw std::runtime_error("a step of a benchmark failed");
+    double const one = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (step > 0) best = std::min(best, one);
+  }
+  return static_cast<double>(grid.cell_count()) / best;
+}
+
+}  // namespace g27
