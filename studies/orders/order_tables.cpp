@@ -1,5 +1,7 @@
 #include "studies/orders/order_tables.hpp"
 
+#include <stdexcept>
+
 namespace g27 {
 namespace {
 
@@ -97,6 +99,9 @@ Finding order_claim(std::vector<RowResult> const& results, std::string const& te
 
 std::vector<RowResult> measure_orders(std::vector<OrderRow> const& rows, StudyContext const& context) {
   std::vector<RowResult> results;
+  for (OrderRow const& row : rows) {  // before hours of work
+    if (row.cells.size() < 4) throw std::invalid_argument("an order of " + row.problem + " needs four grids");
+  }
   for (OrderRow const& row : rows) {
     if (context.progress) {
       context.progress(static_cast<double>(results.size()) / static_cast<double>(rows.size()),

@@ -2,11 +2,14 @@
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
 #include <vector>
+
+#include "verification/exact/numerics.hpp"
 
 namespace g27 {
 
@@ -15,28 +18,6 @@ namespace {
 using Complex = std::complex<double>;
 using Matrix = Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic>;
 using Real = Eigen::MatrixXd;
-
-/// Fields p, u_1 .. u_d, S; c = 1. The matrix of the flux along axis a and the projectors of its families.
-struct Axis {
-  Real flux;
-  std::vector<std::pair<double, Real>> families;  ///< speed, projector
-};
-
-Axis axis_of(int d, int a, double u) {
-  int const n = d + 2;
-  Axis out{Real::Identity(n, n) * u, {}};
-  out.flux(0, 1 + a) = out.flux(1 + a, 0) = 1.0;
-  Real fast = Real::Zero(n, n), slow = Real::Zero(n, n);
-  for (int i : {0, 1 + a}) {
-    for (int j : {0, 1 + a}) {
-      fast(i, j) = 0.5;
-      slow(i, j) = i == j ? 0.5 : -0.5;
-    }
-  }
-  Real const rest = Real::Identity(n, n) - fast - slow;
-  out.families = {{u + 1.0, fast}, {u - 1.0, slow}, {u, rest}};
-  return out;
-}
 
 /// Value on the face at the right of cell 0 of a mode exp(i k x/h), for a family that sweeps nu cells in the step.
 Complex face_value(ModelPredictor predictor, double nu, double k) {
@@ -58,8 +39,9 @@ Complex face_value(ModelPredictor predictor, double nu, double k) {
   return 0;
 }
 
-Matrix amplification(StabilityModel const& m, std::vector<Axis> const& axes, double r, std::vector<double> const& k) {
-  int const d = m.dimensions, n = d + 2;
+Matrix amplification(StabilityModel const& m, std::vector<ModelAxis> const& axes, double r,
+                     std::vector<double> const& k) {
+  int const d = m.dimensions, n = static_cast<int>(axes[0].flux.rows());
   Matrix G = Matrix::Identity(n, n);
   for (int a = 0; a < d; ++a) {
     // transverse half-step term of a cell: -(dt/2) sum of A_b d/db, central
@@ -83,18 +65,61 @@ Matrix amplification(StabilityModel const& m, std::vector<Axis> const& axes, dou
 
 }  // namespace
 
-double spectral_radius(StabilityModel const& m, double cfl, double mach, std::array<double, 3> const& direction,
-                       int waves) {
-  double length = 0;
-  for (int a = 0; a < m.dimensions; ++a) length = std::hypot(length, direction[static_cast<std::size_t>(a)]);
-  std::vector<Axis> axes;
-  double sum = 0, largest = 0;
-  for (int a = 0; a < m.dimensions; ++a) {
-    double const u = mach * direction[static_cast<std::size_t>(a)] / length;
-    axes.push_back(axis_of(m.dimensions, a, u));
-    sum += std::fabs(u) + 1.0, largest = std::max(largest, std::fabs(u) + 1.0);
+/// Fields p, u_1 .. u_d, S.
+ModelAxis gas_axis(int dimensions, int axis, double u) {
+  int const n = dimensions + 2;
+  ModelAxis out{Real::Identity(n, n) * u, {}};
+  out.flux(0, 1 + axis) = out.flux(1 + axis, 0) = 1.0;
+  Real fast = Real::Zero(n, n), slow = Real::Zero(n, n);
+  for (int i : {0, 1 + axis}) {
+    for (int j : {0, 1 + axis}) {
+      fast(i, j) = 0.5;
+      slow(i, j) = i == j ? 0.5 : -0.5;
+    }
   }
-  double const r = cfl / (m.max_rule ? largest : sum);
+  Real const rest = Real::Identity(n, n) - fast - slow;
+  out.families = {{u + 1.0, fast}, {u - 1.0, slow}, {u, rest}};
+  return out;
+}
+
+/// Fields u, p, S; density and energy follow them. With the rates R of (p, S) that u_,a causes and the traction T that
+/// (p, S) is, u_t = T (p, S)_,a and (p, S)_t = R u_,a: speeds c^2 are the values of T R, a family is (r, -R r/c) and
+/// (l, -l T/c)/2, l and r its left and right vectors.
+ModelAxis solid_axis(SolidMaterial const& material, SolidPoint const& s, int axis) {
+  std::size_t const a = static_cast<std::size_t>(axis);
+  double const M = bulk_modulus(material.law, s.rho, s.p) + 4.0 / 3 * material.mu, c = std::sqrt(M / s.rho);
+  Real R(7, 3), T = Real::Zero(3, 7);
+  for (std::size_t k = 0; k < 3; ++k) {
+    double L[3][3] = {};
+    L[k][a] = 1;
+    SolidPoint const rate = elastic_rate(material, s, L);
+    R(0, static_cast<int>(k)) = rate.p / M;
+    for (std::size_t q = 0; q < 6; ++q) R(1 + static_cast<int>(q), static_cast<int>(k)) = rate.S[q] / M;
+    T(static_cast<int>(k), 1 + static_cast<int>(tensor_place[k][a])) = 1;
+  }
+  T(axis, 0) = -1;
+  Eigen::EigenSolver<Real> const solver(Real(T * R));
+  Real const right = solver.eigenvectors().real(), left = right.inverse();
+  double const u = s.u[a] / c;
+  ModelAxis out{Real::Identity(10, 10) * u, {}};
+  out.flux.topRightCorner(3, 7) -= T, out.flux.bottomLeftCorner(7, 3) -= R;
+  Real rest = Real::Identity(10, 10);
+  for (int k = 0; k < 3; ++k) {
+    std::complex<double> const square = solver.eigenvalues()(k);
+    if (!(square.real() > 0) || square.imag() != 0) throw NumericsError("a wave of the solid without a real speed");
+    for (double speed : {std::sqrt(square.real()), -std::sqrt(square.real())}) {
+      Eigen::VectorXd r(10), l(10);
+      r << right.col(k), -R * right.col(k) / speed;
+      l << left.row(k).transpose(), -(left.row(k) * T).transpose() / speed;
+      out.families.emplace_back(u + speed, 0.5 * r * l.transpose());
+      rest -= out.families.back().second;
+    }
+  }
+  out.families.emplace_back(u, rest);
+  return out;
+}
+
+double spectral_radius(StabilityModel const& m, std::vector<ModelAxis> const& axes, double r, int waves) {
   double most = 0;
   std::vector<double> k(static_cast<std::size_t>(m.dimensions));
   // a mode and its conjugate grow alike: the last wave number may keep its sign
@@ -113,6 +138,20 @@ double spectral_radius(StabilityModel const& m, double cfl, double mach, std::ar
     }
   }
   return most;
+}
+
+double spectral_radius(StabilityModel const& m, double cfl, double mach, std::array<double, 3> const& direction,
+                       int waves) {
+  double length = 0;
+  for (int a = 0; a < m.dimensions; ++a) length = std::hypot(length, direction[static_cast<std::size_t>(a)]);
+  std::vector<ModelAxis> axes;
+  double sum = 0, largest = 0;
+  for (int a = 0; a < m.dimensions; ++a) {
+    double const u = mach * direction[static_cast<std::size_t>(a)] / length;
+    axes.push_back(gas_axis(m.dimensions, a, u));
+    sum += std::fabs(u) + 1.0, largest = std::max(largest, std::fabs(u) + 1.0);
+  }
+  return spectral_radius(m, axes, cfl / (m.max_rule ? largest : sum), waves);
 }
 
 double stability_limit(StabilityModel const& m, double const* machs, int count, double highest, double resolution,
