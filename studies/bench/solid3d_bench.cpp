@@ -15,6 +15,16 @@ namespace g27 {
 
 namespace {
 
+constexpr int rounds = 8;  ///< the first of which warms up
+
+struct Material {
+  char const *medium, *eos;
+  bool yields;
+};
+constexpr std::array materials{Material{"steel", "linear", false}, Material{"steel", "linear", true},
+                               Material{"aluminium", "mie-gruneisen", false},
+                               Material{"aluminium", "mie-gruneisen", true}};
+
 Table run(BenchmarkOptions const& options) {
   int const cells = options.cells > 0 ? options.cells : 96;
   int const cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
@@ -48,23 +58,35 @@ Table run(BenchmarkOptions const& options) {
   std::vector<double> const triad{triad_gb_per_s(1), cores > 1 ? triad_gb_per_s(threads.back()) : 0.0};
   for (Scheme const& scheme : schemes) {
     for (std::size_t k = 0; k < threads.size(); ++k) {
+      // step by step in turn, so that what else the machine does falls on all of them alike
       GasGrid gas = gas_wave(IdealGas{}, {1.2, 0.0, 1e5}, cells, scheme.predictor, RiemannSolver::fast, threads[k]);
-      double const gas_rate = cell_updates_per_s(gas);
-      for (auto const& [medium, eos] : {std::pair{"steel", "linear"}, std::pair{"aluminium", "mie-gruneisen"}}) {
-        for (bool yields : {false, true}) {
-          SolidMedium const m = solid_medium(medium, yields);
-          SolidGrid grid = solid_wave(m.scheme, m.rho0, cells, scheme.predictor, threads[k]);
-          double const updates = cell_updates_per_s(grid);
-          // at least: twelve conserved averages read, twelve written, each also fetched before it is written
-          constexpr double bytes = 3 * 12 * sizeof(double);
-          SolidCounters const& n = grid.counters();
-          table.rows.push_back({std::string{scheme.name}, std::string{eos},
-                                std::string{yields ? "yielding" : "elastic"}, static_cast<long>(threads[k]), updates,
-                                updates / threads[k], updates / threads[k] / fma, gas_rate / updates, bytes,
-                                static_cast<double>(grid.bytes()) / static_cast<double>(grid.cell_count()), triad[k],
-                                1e-9 * bytes * updates / triad[k], fma,
-                                static_cast<double>(n.tangent) / static_cast<double>(n.faces)});
+      std::vector<SolidGrid> grids;
+      for (Material const& m : materials) {
+        SolidMedium const medium = solid_medium(m.medium, m.yields);
+        grids.push_back(solid_wave(medium.scheme, medium.rho0, cells, scheme.predictor, threads[k]));
+      }
+      double gas_best = 1e300;
+      std::array<double, materials.size()> best;
+      best.fill(1e300);
+      for (int round = 0; round < rounds; ++round) {
+        double const one = step_time(gas);
+        if (round > 0) gas_best = std::min(gas_best, one);
+        for (std::size_t i = 0; i < grids.size(); ++i) {
+          double const time = step_time(grids[i]);
+          if (round > 0) best[i] = std::min(best[i], time);
         }
+      }
+      for (std::size_t i = 0; i < grids.size(); ++i) {
+        double const count = static_cast<double>(grids[i].cell_count()), updates = count / best[i];
+        // at least: twelve conserved averages read, twelve written, each also fetched before it is written
+        constexpr double bytes = 3 * 12 * sizeof(double);
+        SolidCounters const& n = grids[i].counters();
+        table.rows.push_back({std::string{scheme.name}, std::string{materials[i].eos},
+                              std::string{materials[i].yields ? "yielding" : "elastic"}, static_cast<long>(threads[k]),
+                              updates, updates / threads[k], updates / threads[k] / fma, best[i] / gas_best, bytes,
+                              static_cast<double>(grids[i].bytes()) / count, triad[k],
+                              1e-9 * bytes * updates / triad[k], fma,
+                              static_cast<double>(n.tangent) / static_cast<double>(n.faces)});
       }
     }
   }
