@@ -45,33 +45,20 @@ template <Lane V>
 void solid_transverse(SolidTransverseArguments const& g) noexcept {
   namespace cell = solid_cell;
   std::ptrdiff_t const n = static_cast<std::ptrdiff_t>(g.cells);
-  // pairs of axes (b, c) whose rates make the term of a
   for (std::ptrdiff_t i = 0; i < n; i += static_cast<std::ptrdiff_t>(width<V>)) {
     V here[cell::state];
     unrolled<cell::state>([&](auto k) G27_INLINE_LAMBDA { here[k] = load<V>(g.cell[k] + i); });
     V const K = load<V>(g.cell[cell::K] + i), f = load<V>(g.cell[cell::f] + i), inv_rho = 1.0 / here[cell::rho];
-    bool written[3]{false, false, false};
+    SolidRateTerm<V> r[3]{};
     unrolled<3>([&](auto b) G27_INLINE_LAMBDA {
-      if (g.quarter_dt_over_h[b] == 0.0) return;
-      SolidRateTerm<V> const r = rate_along<b>(g, i, here, K, f, inv_rho);
-      unrolled<3>([&](auto a) G27_INLINE_LAMBDA {
-        if constexpr (a != b) {
-          FieldRows const& to = g.term[a];
-          if (to.data == nullptr) return;
-          if (written[a]) {
-            unrolled<cell::state>([&](auto k) G27_INLINE_LAMBDA { store(to[k] + i, V(load<V>(to[k] + i) - r.q[k])); });
-            store(to[cell::work] + i, V(load<V>(to[cell::work] + i) + r.work));
-          } else {
-            unrolled<cell::state>([&](auto k) G27_INLINE_LAMBDA { store(to[k] + i, V(-r.q[k])); });
-            store(to[cell::work] + i, r.work);
-          }
-          written[a] = true;
-        }
-      });
+      if (g.quarter_dt_over_h[b] != 0.0) r[b] = rate_along<b>(g, i, here, K, f, inv_rho);
     });
     unrolled<3>([&](auto a) G27_INLINE_LAMBDA {
-      if (g.term[a].data == nullptr || written[a]) return;
-      unrolled<cell::terms>([&](auto k) G27_INLINE_LAMBDA { store(g.term[a][k] + i, V(0.0)); });
+      constexpr int b = a == 0 ? 1 : 0, c = a == 2 ? 1 : 2;
+      FieldRows const& to = g.term[a];
+      if (to.data == nullptr) return;
+      unrolled<cell::state>([&](auto k) G27_INLINE_LAMBDA { store(to[k] + i, V(-(r[b].q[k] + r[c].q[k]))); });
+      store(to[cell::work] + i, V(r[b].work + r[c].work));
     });
   }
 }
