@@ -6,6 +6,7 @@
 #include "riemann/state/solid.hpp"
 #include "riemann/strength/jaumann.hpp"
 #include "riemann/strength/von_mises.hpp"
+#include "scheme/kernel/lane_sum.hpp"
 #include "scheme/kernel/solid_kernels.hpp"
 
 namespace g27 {
@@ -18,6 +19,7 @@ void solid_correct(SolidCorrectArguments& g) noexcept {
   int axes = 0;
   for (int a = 0; a < 3; ++a) axes += g.lower[static_cast<std::size_t>(a)].data != nullptr ? 1 : 0;
   double const share = 0.5 / axes;
+  LaneSum<V> yielded, plastic_work;
   for (std::ptrdiff_t i = 0; i < n; i += static_cast<std::ptrdiff_t>(width<V>)) {
     V q[to::fields], mean[6];
     unrolled<to::fields>([&](auto k) G27_INLINE_LAMBDA { q[k] = load<V>(g.now[k] + i); });
@@ -69,14 +71,12 @@ void solid_correct(SolidCorrectArguments& g) noexcept {
                         G27_INLINE_LAMBDA { q[to::S + k] = select(yields, V(q[to::mass] * S[k]), q[to::S + k]); });
         q[to::ep] = select(yields, V(q[to::mass] * ep), q[to::ep]);
         V const flow = ep - before, work = flow * (g.strength.Y0 + g.strength.H * 0.5 * (ep + before));
-        V const one = select(yields, V(1.0), V(0.0));
-        for (std::size_t k = 0; k < width<V> && i + static_cast<std::ptrdiff_t>(k) < n; ++k) {
-          g.yielded += lane(one, k), g.plastic_work += lane(one, k) > 0.0 ? lane(work, k) : 0.0;
-        }
+        yielded.add(select(yields, V(1.0), V(0.0)), n - i), plastic_work.add(select(yields, work, V(0.0)), n - i);
       }
     }
     unrolled<to::fields>([&](auto k) G27_INLINE_LAMBDA { store(g.next[k] + i, q[k]); });
   }
+  g.yielded += yielded.total(), g.plastic_work += plastic_work.total();
 }
 
 }  // namespace g27

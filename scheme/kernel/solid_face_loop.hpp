@@ -4,6 +4,7 @@
 /// Everything is in deviations from the face's mean state, so that a uniform state passes through without round-off.
 #include "riemann/solid/linearised.hpp"
 #include "riemann/solid/tangent.hpp"
+#include "scheme/kernel/lane_sum.hpp"
 #include "scheme/kernel/solid_kernels.hpp"
 #include "scheme/predictor/solid_slope.hpp"
 
@@ -239,10 +240,10 @@ inline constexpr double yield_share = 0.998;  ///< of Y^2, from which a cell cou
 
 /// Faces between two yielding cells that load further: Sn.du/h + mean of S:D across the face's axes > 0.
 template <Lane V>
-G27_INLINE Mask<V> loads_plastically(Strength const& y, SolidState<V> const& a, SolidState<V> const& b,
+G27_INLINE Mask<V> loads_plastically(Strength const& y, SolidState<V> const& a, SolidState<V> const& b, V q2_a, V q2_b,
                                      SolidState<V> const& m, SolidStencil<V> const& s) noexcept {
   V const Y_a = y.Y0 + y.H * a.ep, Y_b = y.Y0 + y.H * b.ep;
-  Mask<V> const both = mises_squared(a.S) > yield_share * Y_a * Y_a && mises_squared(b.S) > yield_share * Y_b * Y_b;
+  Mask<V> const both = q2_a > yield_share * Y_a * Y_a && q2_b > yield_share * Y_b * Y_b;
   if (!any(both)) return both;
   // work in half a step, as the terms have it
   V work = (0.5 * s.nu) * (m.S[0] * (b.u[0] - a.u[0]) + m.S[3] * (b.u[1] - a.u[1]) + m.S[4] * (b.u[2] - a.u[2]));
@@ -261,7 +262,7 @@ void solid_faces(SolidFaceArguments& g) noexcept {
   SolidFluxRows const out(g.out, g.axis);
   SolidStencil<V> s{q, terms ? &left : nullptr, terms ? &right : nullptr, 0, g.stride, g.dt / g.h};
   Slope const slopes{g.monotonicity};
-  double count = 0, tangents = 0;
+  LaneSum<V> count, tangents;
   std::ptrdiff_t const n = static_cast<std::ptrdiff_t>(g.faces);
   for (std::ptrdiff_t f = 0; f < n; f += static_cast<std::ptrdiff_t>(width<V>)) {
     s.f = f;
@@ -270,13 +271,12 @@ void solid_faces(SolidFaceArguments& g) noexcept {
                           G27_INLINE_LAMBDA { return 0.5 * (q.at<V>(field, f) + q.at<V>(field, f + g.stride)); };
     FrozenSolid<V> const at = frozen(m, V(mean(solid_cell::K)), V(mean(solid_cell::f)), g.strength.mu);
     V switched(0.0);
-    Mask<V> exempt(true);
+    Mask<V> exempt(true), loaded(false);
     if (g.plastic) {
-      V const Y = g.strength.Y0 + g.strength.H * max(a.ep, b.ep);
-      exempt = max(mises_squared(a.S), mises_squared(b.S)) <= 0.25 * Y * Y;
+      V const q2_a = mises_squared(a.S), q2_b = mises_squared(b.S), Y = g.strength.Y0 + g.strength.H * max(a.ep, b.ep);
+      exempt = max(q2_a, q2_b) <= 0.25 * Y * Y;
+      if (g.tangent) loaded = loads_plastically(g.strength, a, b, q2_a, q2_b, m, s);
     }
-    Mask<V> loaded(false);
-    if (g.plastic && g.tangent) loaded = loads_plastically(g.strength, a, b, m, s);
     SolidFace<V> face{};
     SolidFace<V> yielding{};
     V switched_yielding(0.0);
@@ -291,15 +291,12 @@ void solid_faces(SolidFaceArguments& g) noexcept {
       take(face.ep, yielding.ep);
       unrolled<3>([&](auto k) G27_INLINE_LAMBDA { take(face.u[k], yielding.u[k]), take(face.s[k], yielding.s[k]); });
       unrolled<6>([&](auto k) G27_INLINE_LAMBDA { take(face.S[k], yielding.S[k]); });
-      V const one = select(loaded, V(1.0), V(0.0));
-      for (std::size_t k = 0; k < width<V> && f + static_cast<std::ptrdiff_t>(k) < n; ++k) tangents += lane(one, k);
+      tangents.add(select(loaded, V(1.0), V(0.0)), n - f);
     }
-    if (any(switched > 0.0)) {
-      for (std::size_t k = 0; k < width<V> && f + static_cast<std::ptrdiff_t>(k) < n; ++k) count += lane(switched, k);
-    }
+    if (any(switched > 0.0)) count.add(switched, n - f);
     out.put(f, face);
   }
-  g.switched = count, g.tangents = tangents;
+  g.switched = count.total(), g.tangents = tangents.total();
 }
 
 }  // namespace g27
