@@ -7,7 +7,8 @@ namespace {
 
 /// Fine enough for the asymptotic range; sources (mms) are evaluated in every cell and step, hence few cells.
 std::vector<int> grids(std::string const& problem, Predictor predictor) {
-  if (problem == "mms-3d") return {16, 20, 24, 32};
+  bool const linear = predictor == Predictor::linear;  // its switch lets go of the crests from 32 cells on
+  if (problem == "mms-3d") return linear ? std::vector{24, 32, 40, 48} : std::vector{16, 20, 24, 32};
   if (predictor == Predictor::godunov) return {64, 80, 96, 128};
   return {32, 40, 48, 64};
 }
