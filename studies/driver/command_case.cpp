@@ -2,12 +2,14 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "studies/driver/command.hpp"
 #include "studies/driver/lookup.hpp"
+#include "studies/driver/progress.hpp"
 #include "studies/driver/scene.hpp"
 #include "studies/driver/table.hpp"
 #include "verification/cases/case.hpp"
@@ -175,7 +177,13 @@ void print_text(Case const& chosen, CaseResult const& r) {
 }
 
 /// Options that a case cannot make sense of are the user's mistake.
-CaseResult run(Case const& chosen, CaseOptions const& options) {
+CaseResult run(Case const& chosen, CaseOptions options) {
+  constexpr auto patience = std::chrono::seconds(2);
+  Progress progress({1.0});
+  auto const began = std::chrono::steady_clock::now();
+  options.progress = [&](double done) {
+    if (std::chrono::steady_clock::now() - began > patience) progress.update(0, done, chosen.name);
+  };
   try {
     return chosen.run(options);
   } catch (std::invalid_argument const& error) {

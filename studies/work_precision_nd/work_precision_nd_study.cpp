@@ -98,7 +98,7 @@ StudyReport run(StudyContext const& context) {
     std::array<std::vector<CurvePoint>, 4> curve;
     for (Scheme s : {godunov, linear, parabolic, muscl}) {
       if (context.progress)
-        context.progress((static_cast<double>(i) + 0.25 * s) / static_cast<double>(list.size()),
+        context.progress((static_cast<double>(i) + 0.25 * static_cast<double>(s)) / static_cast<double>(list.size()),
                          fmt::format("{} {}", p.name, names[s]));
       std::vector<int> grids = p.cells;
       if (s == godunov) grids.insert(grids.end(), p.more.begin(), p.more.end());

@@ -23,6 +23,7 @@ struct CaseOptions {
   std::optional<RiemannSolver> riemann;
   std::optional<bool> linear_star;
   std::optional<int> threads;
+  std::function<void(double done)> progress;  ///< called now and then with the part of the run that is done
   /// one of the case's meshes
   std::optional<std::string> mesh;
   /// ideal stiffened jwl mie-gruneisen, where the case exists for it

@@ -137,7 +137,12 @@ CaseResult run_problem(std::string const& name, int cells, GridProblem problem, 
         return problem.steps > 0 ? grid.counters().steps < static_cast<std::uint64_t>(problem.steps)
                                  : grid.time() < problem.t_end;
       },
-      [](double) {});
+      [&](double) {
+        if (!options.progress) return;
+        options.progress(problem.steps > 0
+                             ? static_cast<double>(grid.counters().steps) / static_cast<double>(problem.steps)
+                             : grid.time() / problem.t_end);
+      });
   CaseResult r;
   r.cpu_s = cpu_seconds() - cpu_start;
   r.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();

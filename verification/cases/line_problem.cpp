@@ -140,6 +140,7 @@ CaseResult run_problem(std::string const& name, int cells, LineProblem problem, 
       throw std::runtime_error(name + ": the step at t = " + std::to_string(line.time()) + " failed in cell " +
                                std::to_string(step.cell));
     }
+    if (options.progress) options.progress(line.time() / problem.t_end);
   }
   CaseResult r;
   r.cpu_s = cpu_seconds() - cpu_start;

@@ -140,6 +140,7 @@ CaseResult run_problem(std::string const& name, int cells, SolidProblem const& p
       name, grid, n, problem.t_end, [&] { return grid.time() < problem.t_end; },
       [&](double dt) {
         if (problem.after_step) problem.after_step(grid, dt);
+        if (options.progress) options.progress(grid.time() / problem.t_end);
       });
   CaseResult r;
   r.cpu_s = cpu_seconds() - cpu_start;
