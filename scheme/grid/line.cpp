@@ -10,6 +10,13 @@ double measure_between(Symmetry symmetry, double x0, double x1) noexcept {
   return swept_area(symmetry, x0, x1) * (x1 - x0);
 }
 
+double centroid_between(Symmetry symmetry, double x0, double x1) noexcept {
+  double const centre = 0.5 * (x0 + x1), h = x1 - x0;
+  if (symmetry == Symmetry::planar) return centre;
+  double const bend = symmetry == Symmetry::cylindrical ? 1.0 : 2.0 * centre;  // of the area at a face, by its position
+  return centre + bend * h * h / (12.0 * swept_area(symmetry, x0, x1));
+}
+
 double swept_area(Symmetry symmetry, double x0, double x1) noexcept {
   switch (symmetry) {
     case Symmetry::planar:

@@ -39,6 +39,8 @@ class Padded {
 
 /// Measure between two positions: length, area per radian or volume per steradian; integral of x^alpha.
 double measure_between(Symmetry symmetry, double x0, double x1) noexcept;
+/// Mean position between two positions, weighted with the measure: where a linear profile has its mean.
+double centroid_between(Symmetry symmetry, double x0, double x1) noexcept;
 /// Area of the shell that a face sweeps between x0 and x1, over the distance: its mean area over the step, so that
 /// the change of a cell's measure is exactly what its two faces sweep (geometric conservation).
 double swept_area(Symmetry symmetry, double x0, double x1) noexcept;

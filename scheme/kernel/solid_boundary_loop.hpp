@@ -6,28 +6,29 @@
 namespace g27 {
 
 /// Outgoing amplitude of family k at the face, averaged over what its characteristic sweeps; F0, F1, F2 in the three
-/// cells away from the face.
-template <Lane V>
-G27_INLINE V outgoing(SolidBoundaryArguments const& g, V F0, V F1, V F2, V s) noexcept {
-  V const d = F0 - F1, far = F1 - F2, zero(0.0);
+/// cells away from the face, which are b, a, z of `cells`.
+template <class Cells, Lane V>
+G27_INLINE V outgoing(SolidBoundaryArguments const& g, Cells const& cells, V F0, V F1, V F2, V s) noexcept {
+  V const d = cells.gradient(V(F0 - F1), 1), far = cells.gradient(V(F1 - F2), 0), zero(0.0);
   if (g.predictor == Predictor::godunov) return F0;
   Mask<V> const monotone = (3.0 * far - d) * d > 0.0 && (3.0 * d - far) * d > 0.0;
   V slope = d;
   if (g.predictor == Predictor::parabolic) {
-    V const beyond = 2.0 * d - far, lin = beyond + (s + 1.0) * (1.0 / 3.0) * (d - beyond);
+    V const beyond = 2.0 * d - far, lin = beyond + cells.boundary_weight(s) * (d - beyond);
     V const sign = select(d < 0.0, V(-1.0), V(1.0));
     V const bounded = sign * max(zero, min(V(sign * lin), min(V(2.0 * abs(d)), V(4.0 * sign * far))));
     slope = g.limited ? select(monotone, lin, bounded) : lin;
   } else if (g.limited) {
     slope = select(monotone, d, zero);
   }
-  return F0 + 0.5 * (1.0 - s) * slope;
+  return F0 + 0.5 * cells.beyond(Mask<V>(false), s) * slope;
 }
 
-template <class W, Lane V>
-[[gnu::noinline]] SolidFace<V> boundary_state(SolidBoundaryArguments const& g, W const& w, SolidFrameRows const& q,
-                                              SolidFrameRows const* terms, SolidState<V> const& at_face,
-                                              std::ptrdiff_t f, Triple<V> const& given) noexcept {
+template <class Cells, class W, Lane V>
+[[gnu::noinline]] SolidFace<V> boundary_state(SolidBoundaryArguments const& g, Cells const& cells, W const& w,
+                                              SolidFrameRows const& q, SolidFrameRows const* terms,
+                                              SolidState<V> const& at_face, std::ptrdiff_t f,
+                                              Triple<V> const& given) noexcept {
   double const nu = g.dt / g.h;
   SolidState<V> const c0 = q.state<V>(f), c1 = q.state<V>(f + g.inward), c2 = q.state<V>(f + 2 * g.inward);
   Triple<V> const u[3] = {w.project(c0.velocity()), w.project(c1.velocity()), w.project(c2.velocity())};
@@ -47,9 +48,9 @@ template <class W, Lane V>
   }
   Triple<V> out;
   unrolled<3>([&](auto k) G27_INLINE_LAMBDA {
-    V const z = w.z[k], swept = max(V(g.side * at_face.u[0] + w.lambda[k] * w.inv_z[k]), 0.0) * nu;
+    V const z = w.z[k], swept = max(V(g.side * cells.relative(at_face.u[0]) + w.lambda[k] * w.inv_z[k]), 0.0) * nu;
     auto const F = [&](int i) G27_INLINE_LAMBDA { return V(z * u[i][k] - g.side * s[i][k]); };
-    out[k] = outgoing(g, F(0), F(1), F(2), swept);
+    out[k] = outgoing(g, cells, F(0), F(1), F(2), swept);
     if (terms != nullptr) out[k] += z * tu[k] - g.side * ts[k];
   });
   Triple<V> face_u, face_s;
@@ -57,61 +58,68 @@ template <class W, Lane V>
   return carry(foot, w.path(w.project(face_s - foot.traction())), face_u, face_s);
 }
 
+/// The face of the boundary beside cell f of the rows. `terms`: half-step terms, null: none.
+template <class Cells, Lane V>
+G27_INLINE SolidFace<V> solid_boundary_face(SolidBoundaryArguments const& g, Cells const& cells,
+                                            SolidFrameRows const& q, SolidFrameRows const* terms, std::ptrdiff_t f,
+                                            Triple<V> const& given) noexcept {
+  // the state at the face: extrapolated where the normal stress is monotone
+  SolidState<V> const c0 = q.state<V>(f), c1 = q.state<V>(f + g.inward), c2 = q.state<V>(f + 2 * g.inward);
+  V const d = cells.gradient(V(c0.traction()[0] - c1.traction()[0]), 1), zero(0.0);
+  V const far = cells.gradient(V(c1.traction()[0] - c2.traction()[0]), 0);
+  Mask<V> const monotone = (3.0 * far - d) * d > 0.0 && (3.0 * d - far) * d > 0.0;
+  V share(0.5);
+  if (g.predictor == Predictor::godunov)
+    share = zero;
+  else if (g.limited)
+    share = select(monotone, share, zero);
+  auto const extrapolated = [&](V a, V b)
+                                G27_INLINE_LAMBDA { return V(a + share * cells.own(Mask<V>(false), V(a - b))); };
+  SolidState<V> at_face;
+  at_face.rho = extrapolated(c0.rho, c1.rho), at_face.p = extrapolated(c0.p, c1.p);
+  at_face.e = extrapolated(c0.e, c1.e), at_face.ep = max(extrapolated(c0.ep, c1.ep), 0.0);
+  unrolled<3>([&](auto k) G27_INLINE_LAMBDA { at_face.u[k] = extrapolated(c0.u[k], c1.u[k]); });
+  unrolled<6>([&](auto k) G27_INLINE_LAMBDA { at_face.S[k] = extrapolated(c0.S[k], c1.S[k]); });
+  auto const at = [&](int field)
+                      G27_INLINE_LAMBDA { return extrapolated(q.at<V>(field, f), q.at<V>(field, f + g.inward)); };
+  FrozenSolid<V> const frozen_at = frozen(at_face, V(at(solid_cell::K)), V(at(solid_cell::f)), g.strength.mu);
+  SolidFace<V> face = boundary_state(g, cells, ElasticWaves<V>(frozen_at), q, terms, at_face, f, given);
+  if (g.plastic) {
+    if (g.tangent) {
+      V const Y = g.strength.Y0 + g.strength.H * c0.ep;
+      Mask<V> loaded = mises_squared(c0.S) > yield_share * Y * Y;
+      if (any(loaded)) {
+        SolidFace<V> const yielding =
+            boundary_state(g, cells, TangentWaves<V>(frozen_at, g.strength), q, terms, at_face, f, given);
+        // loaded where S:D between the cell and the face is positive
+        V work(0.0);
+        if (terms != nullptr) work = terms->template at<V>(solid_cell::work, f);
+        int const shear[3] = {0, 3, 4};
+        V const rate = g.side * (g.dt / cells.own(Mask<V>(false), V(g.h)));
+        unrolled<3>([&](auto k) G27_INLINE_LAMBDA { work += rate * c0.S[shear[k]] * (face.u[k] - c0.u[k]); });
+        loaded = loaded && work > 0.0 && yielding.rho > 0.2 * c0.rho;
+        auto const take = [&](V& to, V const& from) G27_INLINE_LAMBDA { to = select(loaded, from, to); };
+        take(face.rho, yielding.rho), take(face.e, yielding.e), take(face.ep, yielding.ep);
+        unrolled<3>([&](auto k) G27_INLINE_LAMBDA { take(face.u[k], yielding.u[k]), take(face.s[k], yielding.s[k]); });
+        unrolled<6>([&](auto k) G27_INLINE_LAMBDA { take(face.S[k], yielding.S[k]); });
+      }
+    }
+    radial_return(g.strength, face.S, face.ep);
+  }
+  return face;
+}
+
 template <Lane V>
 void solid_boundary(SolidBoundaryArguments& g) noexcept {
   SolidFrameRows const q(g.cells, g.axis, solid_cell::fields);
   bool const terms = g.terms.data != nullptr;
   SolidFrameRows const term(terms ? g.terms : g.cells, g.axis, solid_cell::terms);
-  SolidFrameRows const* const t = terms ? &term : nullptr;
   SolidFluxRows const out(g.out, g.axis);
   std::ptrdiff_t const n = static_cast<std::ptrdiff_t>(g.faces);
   for (std::ptrdiff_t f = 0; f < n; f += static_cast<std::ptrdiff_t>(width<V>)) {
-    // the state at the face: extrapolated where the normal stress is monotone
-    SolidState<V> const c0 = q.state<V>(f), c1 = q.state<V>(f + g.inward), c2 = q.state<V>(f + 2 * g.inward);
-    V const d = c0.traction()[0] - c1.traction()[0], far = c1.traction()[0] - c2.traction()[0], zero(0.0);
-    Mask<V> const monotone = (3.0 * far - d) * d > 0.0 && (3.0 * d - far) * d > 0.0;
-    V share(0.5);
-    if (g.predictor == Predictor::godunov)
-      share = zero;
-    else if (g.limited)
-      share = select(monotone, share, zero);
-    auto const extrapolated = [&](V a, V b) G27_INLINE_LAMBDA { return V(a + share * (a - b)); };
-    SolidState<V> at_face;
-    at_face.rho = extrapolated(c0.rho, c1.rho), at_face.p = extrapolated(c0.p, c1.p);
-    at_face.e = extrapolated(c0.e, c1.e), at_face.ep = max(extrapolated(c0.ep, c1.ep), 0.0);
-    unrolled<3>([&](auto k) G27_INLINE_LAMBDA { at_face.u[k] = extrapolated(c0.u[k], c1.u[k]); });
-    unrolled<6>([&](auto k) G27_INLINE_LAMBDA { at_face.S[k] = extrapolated(c0.S[k], c1.S[k]); });
-    auto const at = [&](int field)
-                        G27_INLINE_LAMBDA { return extrapolated(q.at<V>(field, f), q.at<V>(field, f + g.inward)); };
-    FrozenSolid<V> const frozen_at = frozen(at_face, V(at(solid_cell::K)), V(at(solid_cell::f)), g.strength.mu);
     Triple<V> given;
     unrolled<3>([&](auto k) G27_INLINE_LAMBDA { given[k] = load<V>(g.given[(g.axis + k) % 3] + f); });
-    SolidFace<V> face = boundary_state(g, ElasticWaves<V>(frozen_at), q, t, at_face, f, given);
-    if (g.plastic) {
-      if (g.tangent) {
-        V const Y = g.strength.Y0 + g.strength.H * c0.ep;
-        Mask<V> loaded = mises_squared(c0.S) > yield_share * Y * Y;
-        if (any(loaded)) {
-          SolidFace<V> const yielding =
-              boundary_state(g, TangentWaves<V>(frozen_at, g.strength), q, t, at_face, f, given);
-          // loaded where S:D between the cell and the face is positive
-          V work(0.0);
-          if (terms) work = term.at<V>(solid_cell::work, f);
-          int const shear[3] = {0, 3, 4};
-          unrolled<3>([&](auto k) G27_INLINE_LAMBDA {
-            work += g.side * (g.dt / g.h) * c0.S[shear[k]] * (face.u[k] - c0.u[k]);
-          });
-          loaded = loaded && work > 0.0 && yielding.rho > 0.2 * c0.rho;
-          auto const take = [&](V& to, V const& from) G27_INLINE_LAMBDA { to = select(loaded, from, to); };
-          take(face.rho, yielding.rho), take(face.e, yielding.e), take(face.ep, yielding.ep);
-          unrolled<3>([&](auto k)
-                          G27_INLINE_LAMBDA { take(face.u[k], yielding.u[k]), take(face.s[k], yielding.s[k]); });
-          unrolled<6>([&](auto k) G27_INLINE_LAMBDA { take(face.S[k], yielding.S[k]); });
-        }
-      }
-      radial_return(g.strength, face.S, face.ep);
-    }
-    out.put(f, face);
+    out.put(f, solid_boundary_face(g, EqualCells{}, q, terms ? &term : nullptr, f, given));
   }
 }
 

@@ -57,17 +57,18 @@ struct SolidFluxRows {
   }
 };
 
-/// Loads around a face: interval 0, 1, 2 lies between cells z a, a b, b y.
-template <Lane V>
+/// Loads around a face: interval 0, 1, 2 lies between cells z a, a b, b y; differences are over its length.
+template <class Cells, Lane V>
 struct SolidStencil {
   SolidFrameRows const& q;
   SolidFrameRows const *left, *right;  ///< half-step terms; null: none
   std::ptrdiff_t f, stride;
-  double nu;  ///< dt/h
+  double nu;  ///< dt/h, h the distance of the centres beside the face
+  Cells cells;
 
   [[nodiscard]] G27_INLINE V difference(int field, int interval) const noexcept {
     std::ptrdiff_t const at = f + (interval - 1) * stride;
-    return q.template at<V>(field, at + stride) - q.template at<V>(field, at);
+    return cells.gradient(V(q.template at<V>(field, at + stride) - q.template at<V>(field, at)), interval);
   }
   [[nodiscard]] G27_INLINE Triple<V> velocity(int interval) const noexcept {
     return {{difference(solid_cell::u, interval), difference(solid_cell::u + 1, interval),
@@ -91,10 +92,11 @@ G27_INLINE void carried_changes(PathChange<V> const& c, V rho, V (&out)[6]) noex
 /// The face between cells a and b, families `w` frozen at their mean `m`. `tangent`: the terms' plastic part is added,
 /// from S:D of each cell. `exempt`: smooth extrema are left alone.
 /// Out of line: a function of a thousand instructions.
-template <class Slope, class W, Lane V>
+template <class Slope, class W, class Cells, Lane V>
 [[gnu::noinline]] SolidFace<V> solid_face_state(Slope const slopes, W const& w, SolidState<V> const& m,
-                                                SolidStencil<V> const& s, Mask<V> exempt, V& switched) noexcept {
+                                                SolidStencil<Cells, V> const& s, Mask<V> exempt, V& switched) noexcept {
   V const zero(0.0), half(0.5);
+  Cells const& cells = s.cells;
   FrozenSolid<V> const& at = w.at;
   Triple<V> const u1 = w.project(s.velocity(1)), s1 = w.project(s.traction(1));
   Triple<V> u0{}, s0{}, u2{}, s2{};
@@ -129,7 +131,7 @@ template <class Slope, class W, Lane V>
   }
 
   // amplitudes that arrive from both sides
-  V const speed = m.u[0], d_u = s.difference(solid_cell::u, 1);
+  V const speed = cells.relative(m.u[0]), d_u = s.difference(solid_cell::u, 1);
   Arrivals<V> arrive;
   unrolled<3>([&](auto k) G27_INLINE_LAMBDA {
     V const z = w.z[k], c = w.lambda[k] * w.inv_z[k];
@@ -148,11 +150,11 @@ template <class Slope, class W, Lane V>
       V const B = z * u1[k] + g * s1[k];
       V slope = zero;
       if constexpr (!Slope::first_order) {
-        slope = slopes.template slope<false>(V(z * u0[k] + g * s0[k]), B, V(z * u2[k] + g * s2[k]), x, forward,
+        slope = slopes.template slope<false>(cells, V(z * u0[k] + g * s0[k]), B, V(z * u2[k] + g * s2[k]), x, forward,
                                              w.lambda[k], exempt, switched);
         if (single) slope = select(keep, B, zero);
       }
-      V const e = half * ((1.0 - x) * slope - B);
+      V const e = half * (cells.beyond(forward, x) * slope - cells.own(forward, B));
       V a = select(forward, e, -e);
       if (terms) a += select(forward, V(z * tu_l[k] + g * ts_l[k]), V(z * tu_r[k] + g * ts_r[k]));
       return a;
@@ -169,7 +171,8 @@ template <class Slope, class W, Lane V>
     constexpr int k = j + 1;
     Mask<V> const still = w.z[k] == 0.0;
     if (any(still)) {
-      V const slope = Slope::first_order ? zero : select(keep, u1[k], zero), e = half * ((1.0 - x) * slope - u1[k]);
+      V const slope = Slope::first_order ? zero : select(keep, u1[k], zero);
+      V const e = half * (cells.beyond(forward, x) * slope - cells.own(forward, u1[k]));
       V const from = select(stands, zero, select(forward, e, -e));
       V const t = select(stands, half * (tu_l[k] + tu_r[k]), select(forward, tu_l[k], tu_r[k]));
       meeting.U[k] = select(still, from + t, meeting.U[k]);
@@ -196,14 +199,15 @@ template <class Slope, class W, Lane V>
       if constexpr (!Slope::first_order) {
         V slope = select(keep, jump[1][k], zero);
         if (!single) {
-          slope = slopes.template slope<true>(jump[0][k], jump[1][k], jump[2][k], x, go, scale[k], exempt, switched);
+          slope =
+              slopes.template slope<true>(cells, jump[0][k], jump[1][k], jump[2][k], x, go, scale[k], exempt, switched);
         }
-        foot[k] += sign * ((1.0 - x) * slope);
+        foot[k] += sign * (cells.beyond(go, x) * slope);
       }
     });
     Triple<V> ds;
     unrolled<3>([&](auto k) G27_INLINE_LAMBDA {
-      ds[k] = meeting.T[k] + sign * s1[k];
+      ds[k] = meeting.T[k] + sign * cells.own(go, s1[k]);
       if (terms) ds[k] -= select(go, ts_l[k], ts_r[k]);
     });
     SolidState<V> q{};
@@ -221,12 +225,13 @@ template <class Slope, class W, Lane V>
 }
 
 /// Mean of the two cells, and the coefficients frozen there.
-template <Lane V>
-G27_INLINE SolidState<V> mean_state(SolidState<V> const& a, SolidState<V> const& b) noexcept {
+template <class Cells, Lane V>
+G27_INLINE SolidState<V> mean_state(Cells const& cells, SolidState<V> const& a, SolidState<V> const& b) noexcept {
   SolidState<V> m;
-  m.rho = 0.5 * (a.rho + b.rho), m.p = 0.5 * (a.p + b.p), m.e = 0.5 * (a.e + b.e), m.ep = 0.5 * (a.ep + b.ep);
-  unrolled<3>([&](auto k) G27_INLINE_LAMBDA { m.u[k] = 0.5 * (a.u[k] + b.u[k]); });
-  unrolled<6>([&](auto k) G27_INLINE_LAMBDA { m.S[k] = 0.5 * (a.S[k] + b.S[k]); });
+  m.rho = cells.mean(a.rho, b.rho), m.p = cells.mean(a.p, b.p), m.e = cells.mean(a.e, b.e);
+  m.ep = cells.mean(a.ep, b.ep);
+  unrolled<3>([&](auto k) G27_INLINE_LAMBDA { m.u[k] = cells.mean(a.u[k], b.u[k]); });
+  unrolled<6>([&](auto k) G27_INLINE_LAMBDA { m.S[k] = cells.mean(a.S[k], b.S[k]); });
   return m;
 }
 template <Lane V>
@@ -239,9 +244,9 @@ G27_INLINE FrozenSolid<V> frozen(SolidState<V> const& m, V K, V f, double mu) no
 inline constexpr double yield_share = 0.998;  ///< of Y^2, from which a cell counts as yielding
 
 /// Faces between two yielding cells that load further: Sn.du/h + mean of S:D across the face's axes > 0.
-template <Lane V>
+template <class Cells, Lane V>
 G27_INLINE Mask<V> loads_plastically(Strength const& y, SolidState<V> const& a, SolidState<V> const& b, V q2_a, V q2_b,
-                                     SolidState<V> const& m, SolidStencil<V> const& s) noexcept {
+                                     SolidState<V> const& m, SolidStencil<Cells, V> const& s) noexcept {
   V const Y_a = y.Y0 + y.H * a.ep, Y_b = y.Y0 + y.H * b.ep;
   Mask<V> const both = q2_a > yield_share * Y_a * Y_a && q2_b > yield_share * Y_b * Y_b;
   if (!any(both)) return both;
@@ -253,6 +258,49 @@ G27_INLINE Mask<V> loads_plastically(Strength const& y, SolidState<V> const& a, 
   return both && work > 0.0;
 }
 
+/// What a face leaves, and what happened on it.
+template <Lane V>
+struct SolidFaceResult {
+  SolidFace<V> face{};
+  V switched{0.0};         ///< 1 where the switch acted
+  Mask<V> tangent{false};  ///< where it took the tangent modulus
+};
+
+/// The face between cells a and b.
+template <class Slope, class Cells, Lane V>
+G27_INLINE SolidFaceResult<V> solid_face_between(Slope const slopes, SolidFaceArguments const& g,
+                                                 SolidStencil<Cells, V> const& s) noexcept {
+  SolidFrameRows const& q = s.q;
+  std::ptrdiff_t const f = s.f;
+  SolidState<V> const a = q.state<V>(f), b = q.state<V>(f + g.stride), m = mean_state(s.cells, a, b);
+  auto const mean = [&](int field)
+                        G27_INLINE_LAMBDA { return s.cells.mean(q.at<V>(field, f), q.at<V>(field, f + g.stride)); };
+  FrozenSolid<V> const at = frozen(m, V(mean(solid_cell::K)), V(mean(solid_cell::f)), g.strength.mu);
+  SolidFaceResult<V> r;
+  Mask<V> exempt(true);
+  Mask<V>& loaded = r.tangent;
+  if (g.plastic) {
+    V const q2_a = mises_squared(a.S), q2_b = mises_squared(b.S), Y = g.strength.Y0 + g.strength.H * max(a.ep, b.ep);
+    exempt = max(q2_a, q2_b) <= 0.25 * Y * Y;
+    if (g.tangent) loaded = loads_plastically(g.strength, a, b, q2_a, q2_b, m, s);
+  }
+  SolidFace<V> yielding{};
+  V switched_yielding(0.0);
+  if (any(loaded)) {
+    yielding = solid_face_state(slopes, TangentWaves<V>(at, g.strength), m, s, exempt, switched_yielding);
+    loaded = loaded && yielding.rho > 0.2 * a.rho;
+  }
+  if (!all(loaded)) r.face = solid_face_state(slopes, ElasticWaves<V>(at), m, s, exempt, r.switched);
+  if (any(loaded)) {
+    auto const take = [&](V& to, V const& from) G27_INLINE_LAMBDA { to = select(loaded, from, to); };
+    take(r.switched, switched_yielding), take(r.face.rho, yielding.rho), take(r.face.e, yielding.e);
+    take(r.face.ep, yielding.ep);
+    unrolled<3>([&](auto k) G27_INLINE_LAMBDA { take(r.face.u[k], yielding.u[k]), take(r.face.s[k], yielding.s[k]); });
+    unrolled<6>([&](auto k) G27_INLINE_LAMBDA { take(r.face.S[k], yielding.S[k]); });
+  }
+  return r;
+}
+
 template <class Slope, Lane V>
 void solid_faces(SolidFaceArguments& g) noexcept {
   SolidFrameRows const q(g.cells, g.axis, solid_cell::fields);
@@ -260,41 +308,16 @@ void solid_faces(SolidFaceArguments& g) noexcept {
   SolidFrameRows const left(terms ? g.left : g.cells, g.axis, solid_cell::terms);
   SolidFrameRows const right(terms ? g.right : g.cells, g.axis, solid_cell::terms);
   SolidFluxRows const out(g.out, g.axis);
-  SolidStencil<V> s{q, terms ? &left : nullptr, terms ? &right : nullptr, 0, g.stride, g.dt / g.h};
+  SolidStencil<EqualCells, V> s{q, terms ? &left : nullptr, terms ? &right : nullptr, 0, g.stride, g.dt / g.h, {}};
   Slope const slopes{g.monotonicity};
   LaneSum<V> count, tangents;
   std::ptrdiff_t const n = static_cast<std::ptrdiff_t>(g.faces);
   for (std::ptrdiff_t f = 0; f < n; f += static_cast<std::ptrdiff_t>(width<V>)) {
     s.f = f;
-    SolidState<V> const a = q.state<V>(f), b = q.state<V>(f + g.stride), m = mean_state(a, b);
-    auto const mean = [&](int field)
-                          G27_INLINE_LAMBDA { return 0.5 * (q.at<V>(field, f) + q.at<V>(field, f + g.stride)); };
-    FrozenSolid<V> const at = frozen(m, V(mean(solid_cell::K)), V(mean(solid_cell::f)), g.strength.mu);
-    V switched(0.0);
-    Mask<V> exempt(true), loaded(false);
-    if (g.plastic) {
-      V const q2_a = mises_squared(a.S), q2_b = mises_squared(b.S), Y = g.strength.Y0 + g.strength.H * max(a.ep, b.ep);
-      exempt = max(q2_a, q2_b) <= 0.25 * Y * Y;
-      if (g.tangent) loaded = loads_plastically(g.strength, a, b, q2_a, q2_b, m, s);
-    }
-    SolidFace<V> face{};
-    SolidFace<V> yielding{};
-    V switched_yielding(0.0);
-    if (any(loaded)) {
-      yielding = solid_face_state(slopes, TangentWaves<V>(at, g.strength), m, s, exempt, switched_yielding);
-      loaded = loaded && yielding.rho > 0.2 * a.rho;
-    }
-    if (!all(loaded)) face = solid_face_state(slopes, ElasticWaves<V>(at), m, s, exempt, switched);
-    if (any(loaded)) {
-      auto const take = [&](V& to, V const& from) G27_INLINE_LAMBDA { to = select(loaded, from, to); };
-      take(switched, switched_yielding), take(face.rho, yielding.rho), take(face.e, yielding.e);
-      take(face.ep, yielding.ep);
-      unrolled<3>([&](auto k) G27_INLINE_LAMBDA { take(face.u[k], yielding.u[k]), take(face.s[k], yielding.s[k]); });
-      unrolled<6>([&](auto k) G27_INLINE_LAMBDA { take(face.S[k], yielding.S[k]); });
-      tangents.add(select(loaded, V(1.0), V(0.0)), n - f);
-    }
-    if (any(switched > 0.0)) count.add(switched, n - f);
-    out.put(f, face);
+    SolidFaceResult<V> const r = solid_face_between(slopes, g, s);
+    if (any(r.tangent)) tangents.add(select(r.tangent, V(1.0), V(0.0)), n - f);
+    if (any(r.switched > 0.0)) count.add(r.switched, n - f);
+    out.put(f, r.face);
   }
   g.switched = count.total(), g.tangents = tangents.total();
 }

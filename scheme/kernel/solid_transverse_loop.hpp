@@ -11,15 +11,10 @@ struct SolidRateTerm {
   V q[solid_cell::state], work;
 };
 
+/// in  here: the cell's state; d: (dt/2) times its derivatives along `axis`
 template <int axis, Lane V>
-G27_INLINE SolidRateTerm<V> rate_along(SolidTransverseArguments const& g, std::ptrdiff_t i, V const* here, V K, V f,
-                                       V inv_rho) noexcept {
+G27_INLINE SolidRateTerm<V> rate_of(double mu, V const* here, V const* d, V K, V f, V inv_rho) noexcept {
   namespace cell = solid_cell;
-  std::ptrdiff_t const s = g.stride[axis];
-  V const k(g.quarter_dt_over_h[axis]);
-  V d[cell::state];
-  unrolled<cell::state>(
-      [&](auto n) G27_INLINE_LAMBDA { d[n] = k * (load<V>(g.cell[n] + i + s) - load<V>(g.cell[n] + i - s)); });
   constexpr int c[6] = {frame_component(axis, 0), frame_component(axis, 1), frame_component(axis, 2),
                         frame_component(axis, 3), frame_component(axis, 4), frame_component(axis, 5)};
   V const u = here[cell::u + axis];
@@ -27,7 +22,7 @@ G27_INLINE SolidRateTerm<V> rate_along(SolidTransverseArguments const& g, std::p
                   here[cell::S + c[3]], here[cell::S + c[4]], here[cell::S + c[5]]};
   V const grad[3] = {d[cell::u + axis], d[cell::u + (axis + 1) % 3], d[cell::u + (axis + 2) % 3]};
   V jaumann[6];
-  jaumann_along(g.mu, S, grad, jaumann);
+  jaumann_along(mu, S, grad, jaumann);
   SolidRateTerm<V> r;
   r.work = S[0] * grad[0] + S[3] * grad[1] + S[4] * grad[2];
   unrolled<cell::state>([&](auto n) G27_INLINE_LAMBDA { r.q[n] = u * d[n]; });
@@ -39,6 +34,18 @@ G27_INLINE SolidRateTerm<V> rate_along(SolidTransverseArguments const& g, std::p
   r.q[cell::e] += (here[cell::p] * grad[0] - r.work) * inv_rho;
   unrolled<6>([&](auto n) G27_INLINE_LAMBDA { r.q[cell::S + c[n]] -= jaumann[n]; });
   return r;
+}
+
+template <int axis, Lane V>
+G27_INLINE SolidRateTerm<V> rate_along(SolidTransverseArguments const& g, std::ptrdiff_t i, V const* here, V K, V f,
+                                       V inv_rho) noexcept {
+  namespace cell = solid_cell;
+  std::ptrdiff_t const s = g.stride[axis];
+  V const k(g.quarter_dt_over_h[axis]);
+  V d[cell::state];
+  unrolled<cell::state>(
+      [&](auto n) G27_INLINE_LAMBDA { d[n] = k * (load<V>(g.cell[n] + i + s) - load<V>(g.cell[n] + i - s)); });
+  return rate_of<axis>(g.mu, here, d, K, f, inv_rho);
 }
 
 template <Lane V>

@@ -1,9 +1,10 @@
 #pragma once
 /// The slope of one field of a solid towards the foot of its characteristic: the paper's monotonicity switch per
 /// family, and the parabolic predictor. A, B, C are the field's differences across the three intervals between the four
-/// cells around the face, on a mesh of equal cells. The face value is (upwind cell) +- (1 - s)/2 slope, s = |lambda|
-/// dt/h.
+/// cells around the face, over their lengths. The face value is (upwind cell) +- (h - s)/2 slope, s = |lambda| dt, with
+/// h the cell's width; lengths as solid_cells.hpp has them, h = 1 on a mesh of equal cells.
 #include "riemann/base/lane.hpp"
+#include "scheme/predictor/solid_cells.hpp"
 #include "scheme/step/gas_options.hpp"
 
 namespace g27 {
@@ -35,22 +36,23 @@ struct SolidSlope {
            B == 0.0;
   }
 
-  /// in  s: swept share; forward: the characteristic comes from the left cell; scale of the field; exempt: smooth
+  /// in  s: swept length; forward: the characteristic comes from the left cell; scale of the field; exempt: smooth
   /// extrema
   ///     are left alone; contact: the field rides with the velocity
   /// out slope; switched set to 1 where it was bounded
-  template <bool contact, Lane V>
-  G27_INLINE V slope(V A, V B, V C, V s, Mask<V> forward, V scale, Mask<V> exempt, V& switched) const noexcept {
+  template <bool contact, class Cells, Lane V>
+  G27_INLINE V slope(Cells const& cells, V A, V B, V C, V s, Mask<V> forward, V scale, Mask<V> exempt,
+                     V& switched) const noexcept {
     V const zero(0.0);
     if constexpr (first_order) return zero;
     V const D = select(forward, A, C);
     V wanted = B, bounded;
     if constexpr (third_order) {
-      wanted = B + (s + 1.0) * (1.0 / 3.0) * (D - B);
+      wanted = B + cells.far_weight(forward, s) * (D - B);
       if (kind == Switch::off) return wanted;
       V const size = abs(B), sign = select(B < 0.0, V(-1.0), V(1.0)), up = wanted * sign, d = D * sign;
       V bound = min(4.0 * d, V(2.0 * size));
-      if constexpr (contact) {
+      if constexpr (contact) {  // of riding cells s = 0
         V const from = s + solid_slope::least_share, to = max(1.0 - s, solid_slope::least_share);
         V const each = 1.0 / (from * to);
         V const universal = min(V(min(V(2.0 * to * each), 8.0) * d), V(min(V(2.0 * from * each), 8.0) * size));
@@ -69,7 +71,7 @@ struct SolidSlope {
     }
     Mask<V> const acts = bounded != wanted;
     if (!any(acts)) return wanted;
-    V const k1 = B - A, k2 = C - B;
+    V const k1 = cells.curvature(V(B - A), 0), k2 = cells.curvature(V(C - B), 1);
     Mask<V> const smooth = (exempt && k1 * (solid_slope::curvature_ratio * k2 - k1) >= 0.0 &&
                             k2 * (solid_slope::curvature_ratio * k1 - k2) >= 0.0) ||
                            max(abs(A), max(abs(B), abs(C))) <= solid_slope::round_off * scale;

@@ -36,21 +36,31 @@ inline std::array<GaussPoint, 5> gauss_points(int points) {
   }
 }
 
+/// Calls f(x, weight) at the Gauss points of the cell [x0, x1], weighted with x^alpha.
+/// out  sum of the weights
+template <class F>
+double cell_quadrature(Symmetry symmetry, double x0, double x1, int points, F const& f) {
+  auto const gauss = gauss_points(points);
+  double sum = 0;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(points); ++k) {
+    double const x = 0.5 * (x0 + x1) + 0.5 * (x1 - x0) * gauss[k].x;
+    double weight = gauss[k].weight;
+    if (symmetry != Symmetry::planar) weight *= x;
+    if (symmetry == Symmetry::spherical) weight *= x;
+    f(x, weight);
+    sum += weight;
+  }
+  return sum;
+}
+
 /// Mean of `density(x)` over the cell [x0, x1], weighted with x^alpha.
 template <class F>
 GasConserved<> cell_average(Symmetry symmetry, double x0, double x1, int points, F const& density) {
-  auto const gauss = gauss_points(points);
   GasConserved<> sum{0, 0, 0};
-  double measure = 0;
-  for (int k = 0; k < points; ++k) {
-    double const x = 0.5 * (x0 + x1) + 0.5 * (x1 - x0) * gauss[static_cast<std::size_t>(k)].x;
-    double weight = gauss[static_cast<std::size_t>(k)].weight;
-    if (symmetry != Symmetry::planar) weight *= x;
-    if (symmetry == Symmetry::spherical) weight *= x;
+  double const measure = cell_quadrature(symmetry, x0, x1, points, [&](double x, double weight) {
     GasConserved<> const q = density(x);
     sum = {sum.mass + weight * q.mass, sum.momentum + weight * q.momentum, sum.energy + weight * q.energy};
-    measure += weight;
-  }
+  });
   return {sum.mass / measure, sum.momentum / measure, sum.energy / measure};
 }
 

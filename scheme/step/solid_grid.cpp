@@ -16,15 +16,6 @@ namespace {
 
 /// Tile sizes that measured fastest: a plane's fluxes and terms stay in the second cache.
 constexpr Int3 tile_1d{1024, 1, 1}, tile_2d{64, 64, 1}, tile_3d{64, 8, 32};
-constexpr double elastic_cfl = 0.8, plastic_cfl = 0.7;
-
-SolidVector vector_of(SolidDensities const& q) noexcept {
-  return {q.mass,     q.momentum[0], q.momentum[1], q.momentum[2], q.energy,   q.rho_S[0],
-          q.rho_S[1], q.rho_S[2],    q.rho_S[3],    q.rho_S[4],    q.rho_S[5], q.rho_ep};
-}
-SolidDensities densities_of(SolidVector const& q) noexcept {
-  return {q[0], {q[1], q[2], q[3]}, q[4], {q[5], q[6], q[7], q[8], q[9], q[10]}, q[11]};
-}
 
 }  // namespace
 
@@ -97,27 +88,6 @@ SolidGrid::Impl::Impl(SolidGridSetup s)
     tiles.push_back(std::move(t));
   }
   for (int k = 0; k < setup.options.threads; ++k) works.push_back(std::make_unique<SolidTileWork>(context, largest));
-}
-
-double SolidGrid::Impl::energy(SolidVector const& q) const noexcept {
-  return q[4] / q[0] - 0.5 * (q[1] * q[1] + q[2] * q[2] + q[3] * q[3]) / (q[0] * q[0]);
-}
-
-SolidPoint SolidGrid::Impl::primitive(SolidVector const& q) const noexcept {
-  SolidPoint s{.rho = q[0], .u = {q[1] / q[0], q[2] / q[0], q[3] / q[0]}, .p = 0, .S = {}, .ep = q[11] / q[0]};
-  for (std::size_t k = 0; k < 6; ++k) s.S[k] = q[5 + k] / q[0];
-  s.p = std::visit([&](auto const& eos) { return eos.pressure(q[0], energy(q)); }, setup.material.eos);
-  return s;
-}
-
-SolidVector SolidGrid::Impl::conserved(SolidPoint const& s) const noexcept {
-  double const e = std::visit([&](auto const& eos) { return eos.energy(s.rho, s.p); }, setup.material.eos);
-  double kinetic = 0;
-  for (double u : s.u) kinetic += 0.5 * s.rho * u * u;
-  SolidVector q{s.rho, s.rho * s.u[0], s.rho * s.u[1], s.rho * s.u[2], s.rho * e + kinetic};
-  for (std::size_t k = 0; k < 6; ++k) q[5 + k] = s.rho * s.S[k];
-  q[11] = s.rho * s.ep;
-  return q;
 }
 
 Vec3 SolidGrid::Impl::moduli(SolidPoint const& s) const noexcept {
@@ -267,13 +237,11 @@ std::vector<double> SolidGrid::field(Field which) const {
         for (int i = 0; i < t.box.size[0]; ++i) {
           SolidVector const q = t.densities(t.index(i, j, k));
           SolidPoint const s = impl_->primitive(q);
-          std::array<double, 14> const all{s.rho,  s.u[0], s.u[1], s.u[2], s.p,  s.S[0],           s.S[1],
-                                           s.S[2], s.S[3], s.S[4], s.S[5], s.ep, impl_->energy(q), 0.0};
           std::size_t const to = static_cast<std::size_t>(t.box.first[0] + i) +
                                  static_cast<std::size_t>(n[0]) *
                                      (static_cast<std::size_t>(t.box.first[1] + j) +
                                       static_cast<std::size_t>(n[1]) * static_cast<std::size_t>(t.box.first[2] + k));
-          out[to] = which == Field::mises ? std::sqrt(mises_squared(s.S.data())) : all[static_cast<std::size_t>(which)];
+          out[to] = solid_field(which, s, internal_energy(q));
         }
       }
     }
@@ -288,18 +256,7 @@ SolidLedger SolidGrid::ledger() const {
   std::array<double, 5> magnitude{};
   Impl const& m = *impl_;
   m.add_totals(total, magnitude);
-  auto const entry = [&](std::size_t d) {
-    return LedgerEntry{.initial = m.initial[d].value(),
-                       .current = total[d].value(),
-                       .through_boundary = m.boundary[d].value(),
-                       .from_source = m.source[d].value(),
-                       .from_floor = 0,
-                       .scale = std::max(m.scale[d], magnitude[d])};
-  };
-  return {.mass = entry(0),
-          .energy = entry(4),
-          .momentum = {entry(1), entry(2), entry(3)},
-          .plastic_work = m.plastic_work.value()};
+  return solid_ledger(m.initial, total, m.boundary, m.source, m.scale, magnitude, m.plastic_work);
 }
 
 SolidGridSetup const& SolidGrid::setup() const noexcept { return impl_->setup; }

@@ -9,8 +9,6 @@
 
 namespace g27 {
 
-inline constexpr double least_density_share = 1e-2;  ///< of the old one, that a step may leave
-
 struct SolidGrid::Impl {
   SolidGridSetup setup;
   Tiling tiling;
@@ -32,9 +30,12 @@ struct SolidGrid::Impl {
 
   /// Sets every cell from its mean; starts counters and ledger at t.
   void set(std::function<SolidVector(Int3 const&)> const& mean, double t);
-  [[nodiscard]] SolidVector conserved(SolidPoint const& s) const noexcept;
-  [[nodiscard]] SolidPoint primitive(SolidVector const& q) const noexcept;
-  [[nodiscard]] double energy(SolidVector const& q) const noexcept;  ///< specific internal
+  [[nodiscard]] SolidVector conserved(SolidPoint const& s) const noexcept {
+    return conserved_of(setup.material.eos, s);
+  }
+  [[nodiscard]] SolidPoint primitive(SolidVector const& q) const noexcept {
+    return primitive_of(setup.material.eos, q);
+  }
   /// rho a^2 for waves along each axis [Pa].
   [[nodiscard]] Vec3 moduli(SolidPoint const& s) const noexcept;
   [[nodiscard]] double signal_rate(SolidVector const& q) const noexcept;

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "scheme/step/gauss.hpp"
+#include "scheme/step/solid_boundary.hpp"
 
 namespace g27 {
 
@@ -150,24 +150,13 @@ void SolidTileWork::faces(int axis, std::ptrdiff_t cell, std::size_t n, FieldRow
 
 void SolidTileWork::boundary_faces(int axis, bool low, Int3 const& cell, std::size_t n, FieldRows terms,
                                    FieldRows out) {
-  using Kind = SolidBoundary::Kind;
   SolidBoundary const& b = side(axis, low);
   std::size_t const a = static_cast<std::size_t>(axis);
   FieldRows const given = given_.rows();
-  auto const gauss = gauss_points(2);
   for (int i = 0; i < static_cast<int>(n); ++i) {
     Vec3 x = centre(axis == 0 ? cell : Int3{cell[0] + i, cell[1], cell[2]});
     x[a] += low ? -0.5 * g_.h[a] : 0.5 * g_.h[a];
-    Vec3 value{0, 0, 0};
-    // mean over the step
-    for (std::size_t m = 0; m < 2; ++m) {
-      double const t = g_.time + 0.5 * g_.dt * (1.0 + gauss[m].x);
-      Vec3 v{0, 0, 0};
-      if (b.kind == Kind::wall && b.normal_velocity) v[a] = b.normal_velocity(x, t);
-      if (b.kind == Kind::fixed && b.velocity) v = b.velocity(x, t);
-      if (b.kind == Kind::traction && b.traction) v = b.traction(x, t);
-      for (std::size_t c = 0; c < 3; ++c) value[c] += 0.5 * v[c];
-    }
+    Vec3 const value = given_value(b, a, x, g_.time, g_.dt);
     for (int c = 0; c < 3; ++c) given[c][i] = value[static_cast<std::size_t>(c)];
   }
   SolidSchemeOptions const& o = g_.setup.options;
@@ -175,9 +164,7 @@ void SolidTileWork::boundary_faces(int axis, bool low, Int3 const& cell, std::si
                            .inward = low ? stride(axis) : -stride(axis),
                            .axis = axis,
                            .side = low ? -1.0 : 1.0,
-                           .kind = b.kind == Kind::wall    ? SolidFaceCondition::wall
-                                   : b.kind == Kind::fixed ? SolidFaceCondition::fixed
-                                                           : SolidFaceCondition::traction,
+                           .kind = condition_of(b.kind),
                            .given = given,
                            .cells = cells_at(index(cell[0], cell[1], cell[2])),
                            .terms = terms_ ? terms : FieldRows{},
@@ -261,8 +248,7 @@ void SolidTileWork::correct(int j, int k, RowBlock* z_lower, RowBlock* z_upper) 
     c.source = source_.rows();
     for (int i = 0; i < nx_; ++i) {
       SolidDensities const q = s.source.mean(centre({i, j, k}), g_.h, g_.time, g_.dt);
-      SolidVector const v{q.mass,     q.momentum[0], q.momentum[1], q.momentum[2], q.energy,   q.rho_S[0],
-                          q.rho_S[1], q.rho_S[2],    q.rho_S[3],    q.rho_S[4],    q.rho_S[5], q.rho_ep};
+      SolidVector const v = vector_of(q);
       for (std::size_t d = 0; d < v.size(); ++d) {
         c.source[static_cast<int>(d)][i] = g_.dt * v[d];
         if (d < t.from_source.size()) t.from_source[d] += g_.volume() * g_.dt * v[d];

@@ -9,14 +9,13 @@
 #include "scheme/grid/line.hpp"
 #include "scheme/grid/tiling.hpp"
 #include "scheme/kernel/solid_kernels.hpp"
+#include "scheme/step/row_block.hpp"
 #include "scheme/step/solid_grid.hpp"
+#include "scheme/step/solid_state.hpp"
 
 namespace g27 {
 
 inline constexpr int solid_halo = 2;  ///< cells around a tile that its step reads
-
-/// Conserved densities in the order of solid_conserved.
-using SolidVector = std::array<double, solid_conserved::fields>;
 
 struct SolidTile {
   TileBox box;
@@ -62,29 +61,6 @@ struct SolidContext {
   double time = 0, dt = 0;
 
   [[nodiscard]] double volume() const noexcept { return h[0] * h[1] * h[2]; }
-};
-
-/// Rows of several fields that may be read and written a vector beyond both ends.
-class RowBlock {
- public:
-  RowBlock() = default;
-  RowBlock(int fields, std::size_t n, double value = 0.0)
-      : stride_(static_cast<std::ptrdiff_t>((n + 24 + 7) / 8 * 8)),
-        data_(static_cast<std::size_t>(fields) * static_cast<std::size_t>(stride_), value) {}
-  /// At lane 0.
-  [[nodiscard]] FieldRows rows() noexcept { return {data_.data() + 8, stride_}; }
-  [[nodiscard]] std::size_t bytes() const noexcept { return data_.bytes(); }
-
- private:
-  struct Storage : Padded {
-    using Padded::Padded;
-    std::size_t size = 0;
-    Storage() = default;
-    Storage(std::size_t n, double value) : Padded(n, value), size(n) {}
-    [[nodiscard]] std::size_t bytes() const noexcept { return size * sizeof(double); }
-  };
-  std::ptrdiff_t stride_ = 0;
-  Storage data_;
 };
 
 /// Arrays for the work on one tile at a time: one a thread.

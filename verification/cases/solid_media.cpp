@@ -17,7 +17,11 @@ SolidMedium solid_medium(std::string const& name, bool plastic) {
     return with(MieGruneisen{2785, 5328, 1.338, 2.0}, MieGruneisenLaw{2785, 5328, 1.338, 2.0}, 2785, 27.6e9, 0.3e9,
                 0.0);
   }
-  throw std::invalid_argument("solid '" + name + "': one of steel aluminium");
+  if (name == "beryllium") {
+    return with(MieGruneisen{1845, 7998, 1.124, 1.1}, MieGruneisenLaw{1845, 7998, 1.124, 1.1}, 1845, 151e9, 0.33e9,
+                0.0);
+  }
+  throw std::invalid_argument("solid '" + name + "': one of steel aluminium beryllium");
 }
 
 std::vector<std::string> solid_media() { return {"steel", "aluminium"}; }
