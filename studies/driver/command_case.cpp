@@ -32,6 +32,9 @@ std::map<std::string, double> values_of(CaseArguments const& a, Case const& chos
   std::vector<std::string> names;
   for (CaseParameter const& p : chosen.parameters) names.push_back(p.name);
   std::map<std::string, double> values;
+  if (names.empty() && !a.set.empty()) {
+    throw InputError("g27 case", "--set", fmt::format("'{}' has no parameters", chosen.name), "leave --set out");
+  }
   for (std::string const& pair : a.set) {
     auto const equals = pair.find('=');
     if (equals == std::string::npos) {
@@ -60,6 +63,14 @@ void read_grid_options(CaseArguments const& a, Case const& chosen, CaseOptions& 
   only(a.skip.has_value(), "--skip", true);
   only(!a.tile.empty(), "--tile", true);
   only(a.feet.has_value(), "--feet", false);
+  if (chosen.solid && (a.riemann || a.feet || a.cure || a.skip)) {
+    throw InputError("g27 case",
+                     a.riemann ? "--riemann"
+                     : a.feet  ? "--feet"
+                     : a.cure  ? "--cure"
+                               : "--skip",
+                     fmt::format("is of no use in '{}'", chosen.name), "choose a case of gas");
+  }
   if (a.transverse) {
     options.transverse = static_cast<Transverse>(index_in(transverse_names(), *a.transverse, "--transverse"));
   }

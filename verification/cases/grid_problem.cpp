@@ -126,6 +126,7 @@ Int3 grid_cells(GridProblem const& problem, int cells) {
 CaseResult run_problem(std::string const& name, int cells, GridProblem problem, CaseOptions const& options) {
   int const n = options.cells.value_or(cells);
   if (n < 4) throw std::invalid_argument("a case needs at least 4 cells");
+  require_end(problem.t_end);
   GasGrid grid(setup_of(problem, n, options));
   grid.set_averages(problem.initial);
 

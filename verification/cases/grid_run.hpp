@@ -5,9 +5,17 @@
 #include <stdexcept>
 #include <string>
 
+#include "scheme/step/gas_grid.hpp"
 #include "verification/cases/case.hpp"
 
 namespace g27 {
+
+/// Throws std::invalid_argument for a run that takes no step or never ends.
+inline void require_end(double t_end) {
+  if (!(t_end > 0 && std::isfinite(t_end))) {
+    throw std::invalid_argument("with these parameters it would end at t = " + std::to_string(t_end) + " s");
+  }
+}
 
 template <class F>
 void for_each_cell(Int3 const& cells, F const& f) {

@@ -1,4 +1,5 @@
 #include "verification/cases/line_problem.hpp"
+#include "verification/cases/grid_run.hpp"
 
 #include <chrono>
 #include <cmath>
@@ -105,6 +106,7 @@ void make_periodic(LineProblem& problem) { problem.left.kind = problem.right.kin
 CaseResult run_problem(std::string const& name, int cells, LineProblem problem, CaseOptions const& options) {
   int const n = options.cells.value_or(cells);
   if (n < 4) throw std::invalid_argument("a case needs at least 4 cells");
+  require_end(problem.t_end);
   std::string const mesh = options.mesh.value_or("uniform");
 
   GasLineSetup setup{

@@ -131,6 +131,7 @@ CaseResult run_problem(std::string const& name, int cells, SolidProblem const& p
                        CaseOptions const& options) {
   int const n = options.cells.value_or(cells);
   if (n < 4) throw std::invalid_argument("a case needs at least 4 cells");
+  require_end(problem.t_end);
   SolidGrid grid(setup_of(problem, n, options));
   grid.set_averages(problem.initial);
 
