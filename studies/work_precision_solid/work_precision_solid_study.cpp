@@ -3,11 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "studies/driver/lookup.hpp"
 #include "studies/driver/study.hpp"
-#include "studies/orders/curve.hpp"
+#include "studies/orders/timed_case.hpp"
 #include "verification/cases/case.hpp"
 
 namespace g27 {
@@ -37,21 +36,9 @@ std::vector<Problem> problems() {
 }
 
 CurvePoint timed(Case const& problem, Scheme s, int cells) {
-  CurvePoint point{.cells = cells};
-  std::array<double, 2> best{1e300, 1e300};
-  double spent = 0;
-  for (int round = 0; round < 8 && (round < 2 || spent < 0.1); ++round) {
-    CaseOptions o;
-    o.cells = cells, o.predictor = predictors[s], o.threads = 1;
-    CaseResult const r = problem.run(o);
-    double& b = best[static_cast<std::size_t>(round % 2)];
-    b = std::min(b, r.cpu_s), spent += r.cpu_s;
-    point.error = r.errors.at("velocity").l1;
-    if (r.cpu_s > 1.5) break;
-  }
-  point.seconds = std::min(best[0], best[1]);
-  point.spread = best[1] < 1e299 ? std::fabs(std::log(best[0] / best[1])) : 0.1;
-  return point;
+  CaseOptions o;
+  o.cells = cells, o.predictor = predictors[s];
+  return timed_case(problem, o, "velocity");
 }
 
 StudyReport run(StudyContext const& context) {

@@ -14,6 +14,7 @@ CaseResult run_problem(std::string const& name, int cells, SolidLineProblem cons
                        CaseOptions const& options) {
   int const n = options.cells.value_or(cells);
   if (n < 4) throw std::invalid_argument("a case needs at least 4 cells");
+  require_end(problem.t_end);
   SolidLineSetup setup{.material = problem.solid,
                        .faces = mesh_faces("uniform", problem.x0, problem.x1, n),
                        .symmetry = problem.symmetry,
@@ -31,8 +32,10 @@ CaseResult run_problem(std::string const& name, int cells, SolidLineProblem cons
   auto const wall_start = std::chrono::steady_clock::now();
   double const cpu_start = cpu_seconds();
   while (line.time() < problem.t_end && !(problem.finished && problem.finished(line))) {
-    if (line.step(problem.t_end).status == StepStatus::ok) continue;
-    throw std::runtime_error(name + ": the step at t = " + std::to_string(line.time()) + " failed");
+    if (line.step(problem.t_end).status != StepStatus::ok) {
+      throw std::runtime_error(name + ": the step at t = " + std::to_string(line.time()) + " failed");
+    }
+    if (options.progress) options.progress(line.time() / problem.t_end);
   }
   CaseResult r;
   r.cpu_s = cpu_seconds() - cpu_start;
