@@ -1,0 +1,77 @@
+#pragma once
+/// Storage of the model problems that are solved together: a row of one cell holds that cell of every problem.
+#include <array>
+#include <cstddef>
+
+#include "fsi/ale/model_problem.hpp"
+
+namespace g27 {
+
+inline constexpr std::size_t model_lanes = ModelProblems::lanes;
+inline constexpr std::ptrdiff_t lane_stride = static_cast<std::ptrdiff_t>(model_lanes);
+
+/// Rows of `fields` fields.
+template <std::size_t fields>
+struct alignas(64) LaneRows {
+  double q[fields][model_lanes] = {};
+  double* operator[](std::size_t field) noexcept { return q[field]; }
+  double const* operator[](std::size_t field) const noexcept { return q[field]; }
+};
+
+/// A block of 3x3x3 cells, with a layer around it that kernels may read.
+template <std::size_t fields>
+struct alignas(64) LaneBlock {
+  static constexpr std::ptrdiff_t side = 5, volume = side * side * side * lane_stride;
+  static constexpr std::array<std::ptrdiff_t, 3> stride{side * side * lane_stride, side* lane_stride, lane_stride};
+  double q[fields][static_cast<std::size_t>(volume)];
+
+  explicit LaneBlock(double value = 1) {
+    for (auto& field : q) {
+      for (double& x : field) x = value;
+    }
+  }
+  static constexpr std::ptrdiff_t index(int i, int j, int k) noexcept {
+    return (i + 1) * stride[0] + (j + 1) * stride[1] + (k + 1) * stride[2];
+  }
+  double* at(std::size_t field, int i, int j, int k) noexcept { return q[field] + index(i, j, k); }
+  double const* at(std::size_t field, int i, int j, int k) const noexcept { return q[field] + index(i, j, k); }
+};
+
+/// The four cells z, a | b, y around a face.
+template <std::size_t fields>
+struct alignas(64) LaneStencil {
+  double q[fields][4][model_lanes];
+};
+
+/// Second difference of a field over the three cells that are known around a face.
+template <std::size_t fields>
+double bend(LaneBlock<fields> const& block, std::size_t field, int axis, std::array<int, 3> cell, bool far_left,
+            std::size_t lane) noexcept {
+  std::ptrdiff_t const s = LaneBlock<fields>::stride[static_cast<std::size_t>(axis)];
+  double const* const q = block.at(field, cell[0], cell[1], cell[2]) + lane;
+  return far_left ? q[s] - 2 * q[0] + q[-s] : q[2 * s] - 2 * q[s] + q[0];
+}
+
+/// Cells of the stencil of a face from the block, the left one at (i, j, k). Beyond the block a difference is taken
+/// for that on the other side, so that the monotonicity switch sees what is known.
+/// `free`: lanes on whose face the switch has nothing to see.
+template <std::size_t fields>
+void gather(LaneBlock<fields> const& block, int axis, std::array<int, 3> cell, bool far_left, bool far_right,
+            bool const* free, LaneStencil<fields>& to) noexcept {
+  std::ptrdiff_t const at = LaneBlock<fields>::index(cell[0], cell[1], cell[2]);
+  std::ptrdiff_t const s = LaneBlock<fields>::stride[static_cast<std::size_t>(axis)];
+  for (std::size_t f = 0; f < fields; ++f) {
+    double const* const q = block.q[f] + at;
+    for (std::size_t i = 0; i < model_lanes; ++i) {
+      std::ptrdiff_t const n = static_cast<std::ptrdiff_t>(i);
+      double const a = q[n], b = q[n + s];
+      double const z = far_left ? q[n - s] : a - (q[n + 2 * s] - b);
+      double const y = far_right ? q[n + 2 * s] : b + (a - q[n - s]);
+      bool const open = free != nullptr && free[i];
+      to.q[f][0][i] = open ? a - (b - a) : z, to.q[f][1][i] = a;
+      to.q[f][2][i] = b, to.q[f][3][i] = open ? b + (b - a) : y;
+    }
+  }
+}
+
+}  // namespace g27

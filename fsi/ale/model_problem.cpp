@@ -1,0 +1,135 @@
+#include "fsi/ale/model_problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fsi/ale/gas_side.hpp"
+#include "fsi/ale/solid_side.hpp"
+#include "riemann/gas/wave_curve.hpp"
+
+namespace g27 {
+
+namespace {
+
+constexpr int most_responses = 4;         ///< evaluations of the solid's side of the contact
+constexpr double velocity_close = 1e-12;  ///< of the solid's sound speed, at which the contact is found
+
+/// Pressure at which the gas, its velocity along +n raised by a wave, meets a solid that moves with
+/// speed - pressure/impedance.
+template <class E>
+double meet(E const& eos, GasTrace const& gas, double speed, double impedance) {
+  WaveCurve<double, E> curve(eos, GasState<double>{gas.rho, gas.u, gas.p});
+  double const vacuum = eos.vacuum_pressure();
+  // F(q) = velocity of the gas - velocity of the solid grows with q
+  auto const excess_speed = [&](double q, double& rate) {
+    WavePoint<double> const w = curve.at(q, true);
+    rate = w.rate + 1 / impedance;
+    return gas.u + w.jump - speed + (q + vacuum) / impedance;
+  };
+  double low = 0, high = 0, q = curve.excess();
+  for (int i = 0; i < 200; ++i) {
+    double rate = 0;
+    double const F = excess_speed(q, rate);
+    (F < 0 ? low : high) = q;
+    double next = q - F / rate;
+    if (!(next > low)) next = low > 0 ? 0.5 * (low + q) : 1e-3 * q;
+    if (high > 0 && !(next < high)) next = 0.5 * (low + high);
+    bool const close = std::fabs(next - q) <= 1e-14 * q;
+    q = next;
+    if (close || q < 1e-12 * curve.excess()) break;
+  }
+  return std::max(q + vacuum, 0.0);
+}
+
+}  // namespace
+
+struct ModelProblems::Impl {
+  GasSide gas;
+  SolidSide solid;
+  ModelOptions options;
+
+  void solve(std::span<ModelStencil const> stencils, double dt, std::span<ModelResult> results, bool first_order) {
+    std::array<Vec3, lanes> frame{};
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+      frame[lane] = stencils[std::min(lane, stencils.size() - 1)].velocity;
+    gas.load(stencils, frame), solid.load(stencils, frame);
+    gas.transverse(dt), solid.transverse(dt);
+
+    std::array<double, lanes> pressure{};
+    std::array<Vec3, lanes> velocity{};
+    contact(dt, first_order, pressure, velocity);
+    gas.shift(velocity), solid.shift(velocity);
+    for (std::size_t lane = 0; lane < lanes; ++lane) frame[lane] = frame[lane] + velocity[lane];
+
+    gas.transverse(dt), solid.transverse(dt);
+    solid.set_ghosts();
+    gas.step(dt, pressure, first_order), solid.step(dt, pressure, first_order);
+    for (std::size_t lane = 0; lane < stencils.size(); ++lane) {
+      ModelResult& r = results[lane];
+      if (!r.failed) continue;
+      bool sound = std::isfinite(pressure[lane]);
+      for (double v : frame[lane]) sound = sound && std::isfinite(v);
+      r.pressure = pressure[lane], r.velocity = frame[lane], r.first_order = first_order;
+      for (int layer = 0; layer < core_layers; ++layer) {
+        std::size_t const l = static_cast<std::size_t>(layer);
+        r.gas[l] = gas.state(lane, layer, frame[lane], sound);
+        r.solid[l] = solid.state(lane, layer, frame[lane], sound);
+      }
+      r.failed = !sound;
+    }
+  }
+
+  /// The solid's velocity as it depends on the pressure is what its boundary gives: linear while it is elastic.
+  void contact(double dt, bool first_order, std::array<double, lanes>& pressure, std::array<Vec3, lanes>& velocity) {
+    std::array<GasTrace, lanes> trace{};
+    std::array<double, lanes> impedance{};
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      trace[lane] = gas.trace(lane, dt, first_order);
+      impedance[lane] = solid.impedance(lane), pressure[lane] = trace[lane].p;
+    }
+    solid.respond(dt, pressure, first_order, velocity);
+    for (int i = 0; i < most_responses; ++i) {
+      std::array<double, lanes> const pressure_before = pressure;
+      std::array<Vec3, lanes> const velocity_before = velocity;
+      for (std::size_t lane = 0; lane < lanes; ++lane) {
+        double const free = velocity[lane][0] + pressure[lane] / impedance[lane];
+        pressure[lane] =
+            std::visit([&](auto const& eos) { return meet(eos, trace[lane], free, impedance[lane]); }, gas.eos());
+      }
+      solid.respond(dt, pressure, first_order, velocity);
+      bool done = true;
+      for (std::size_t lane = 0; lane < lanes; ++lane) {
+        double const change = pressure[lane] - pressure_before[lane];
+        double const expected = velocity_before[lane][0] - change / impedance[lane], got = velocity[lane][0];
+        if (std::fabs(got - expected) <= velocity_close * solid.sound_speed(lane)) continue;
+        done = false;
+        double const slope = (velocity_before[lane][0] - got) / change;
+        if (slope > 0.1 / impedance[lane] && slope < 100 / impedance[lane]) impedance[lane] = 1 / slope;
+      }
+      if (done) break;
+    }
+  }
+};
+
+ModelProblems::ModelProblems(AnyEos const& gas, AnySolid const& solid, double gas_width, double solid_width,
+                             ModelOptions options)
+    : impl_(new Impl{GasSide(gas, gas_width, options), SolidSide(solid, solid_width, options), options}) {}
+ModelProblems::~ModelProblems() = default;
+ModelProblems::ModelProblems(ModelProblems&&) noexcept = default;
+
+void ModelProblems::solve(std::span<ModelStencil const> stencils, double dt, std::span<ModelResult> results) {
+  for (ModelResult& r : results) r.failed = true;
+  impl_->solve(stencils, dt, results, false);
+  bool const again = std::any_of(results.begin(), results.end(), [](ModelResult const& r) { return r.failed; });
+  if (!again) return;
+  impl_->solve(stencils, dt, results, true);
+  for (std::size_t lane = 0; lane < results.size(); ++lane) {
+    ModelResult& r = results[lane];
+    if (!r.failed) continue;
+    ModelStencil const& s = stencils[lane];
+    r.pressure = s.gas[0][1][1][gas_field::p], r.velocity = s.velocity, r.first_order = true;
+    for (std::size_t l = 0; l < core_layers; ++l) r.gas[l] = s.gas[l][1][1], r.solid[l] = s.solid[l][1][1];
+  }
+}
+
+}  // namespace g27

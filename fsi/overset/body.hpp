@@ -1,0 +1,67 @@
+#pragma once
+/// A deforming body: its surface, its Cartesian grid, and at every triangle the local grid that moves with it.
+#include <functional>
+#include <memory>
+
+#include "fsi/ale/model_problem.hpp"
+#include "fsi/overset/donors.hpp"
+#include "scheme/step/gas_grid.hpp"
+#include "scheme/step/solid_grid.hpp"
+
+namespace g27 {
+
+struct BodySetup {
+  TriangleSurface surface;
+  AnySolid material{};
+  double cell = 1;                                 ///< width of the cells of its grid [m]
+  Vec3 lower{0, 0, 0}, upper{1, 1, 1};             ///< box that the body stays in [m]
+  std::function<SolidPoint(Vec3 const&)> initial;  ///< state at the start
+};
+
+/// What is known at a triangle between steps.
+struct TriangleState {
+  Frame frame;
+  Vec3 centre{0, 0, 0};  ///< [m]
+  double area = 0;       ///< [m^2]
+  std::array<GasFields, core_layers> gas{};
+  std::array<SolidFields, core_layers> solid{};
+  Vec3 velocity{0, 0, 0};          ///< of the contact [m/s]
+  double pressure = 0;             ///< at the contact [Pa]
+  std::array<Vec3, 2> gradient{};  ///< of the solid's velocity along the frame's a and b [1/s]
+};
+
+/// One medium's cells around a body.
+template <class Fields>
+struct Region {
+  CellKinds kinds;
+  std::vector<Fields> states;  ///< by the window's index; of valid cells
+  Donors<Fields> donors;
+
+  Region(WindowBox const& box, bool inside) : kinds(box, inside), states(kinds.count()), donors(kinds, states) {}
+  Region(Region const&) = delete;
+  Region& operator=(Region const&) = delete;
+};
+
+struct Body {
+  BodySetup setup;
+  TriangleSurface surface;
+  std::vector<std::vector<int>> around;  ///< [vertex]: triangles
+  std::vector<TriangleState> triangles;
+  SolidGrid grid;
+  Region<SolidFields> solid;
+  Region<GasFields> gas;
+  SolidFields background{};  ///< of cells that are not of the body
+
+  Body(BodySetup setup, GasGrid const& gas_grid, SolidSchemeOptions const& options);
+
+  /// Frames, centres and areas by the vertices.
+  void place_triangles();
+  /// Cells of the model problem of a triangle, from time-n data alone.
+  [[nodiscard]] ModelStencil stencil(std::size_t triangle) const;
+  /// In-plane gradient of the solid's velocity of that stencil, for the vertices.
+  [[nodiscard]] std::array<Vec3, 2> velocity_gradient(std::size_t triangle, ModelStencil const& s) const;
+  /// Vertices by the velocities of the triangles around them.
+  void move_vertices(double dt);
+};
+
+}  // namespace g27

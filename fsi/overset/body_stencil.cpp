@@ -1,0 +1,171 @@
+/// The cells of a triangle's model problem: its own cores, interpolated neighbours, and what stands for the body's
+/// sides where a lateral cell lies outside of it.
+#include <cmath>
+
+#include "fsi/overset/body.hpp"
+
+namespace g27 {
+
+namespace {
+
+namespace field = solid_field_of;
+
+/// In-plane differences of a layer, per cell.
+struct LayerSlope {
+  bool known = false;
+  SolidFields a{}, b{};
+};
+
+SolidFields plus(SolidFields q, double s, SolidFields const& d) noexcept {
+  for (std::size_t f = 0; f < q.size(); ++f) q[f] += s * d[f];
+  return q;
+}
+
+/// By least squares over the valid lateral cells.
+LayerSlope slope_of(std::array<std::array<SolidFields, 3>, 3> const& q,
+                    std::array<std::array<bool, 3>, 3> const& there) {
+  double xx = 0, xy = 0, yy = 0;
+  SolidFields mx{}, my{};
+  for (std::size_t a = 0; a < 3; ++a) {
+    for (std::size_t b = 0; b < 3; ++b) {
+      if ((a == 1 && b == 1) || !there[a][b]) continue;
+      double const x = static_cast<double>(a) - 1, y = static_cast<double>(b) - 1;
+      xx += x * x, xy += x * y, yy += y * y;
+      for (std::size_t f = 0; f < mx.size(); ++f) {
+        double const d = q[a][b][f] - q[1][1][f];
+        mx[f] += x * d, my[f] += y * d;
+      }
+    }
+  }
+  double const det = xx * yy - xy * xy;
+  LayerSlope s{.known = there[1][1] && det > 0.0125 * (xx + yy) * (xx + yy) && det > 0.5, .a = {}, .b = {}};
+  if (!s.known) return s;
+  for (std::size_t f = 0; f < mx.size(); ++f) {
+    s.a[f] = (yy * mx[f] - xy * my[f]) / det, s.b[f] = (xx * my[f] - xy * mx[f]) / det;
+  }
+  return s;
+}
+
+/// The stress of a ghost beyond a side with outward normal m on which the pressure acts: the mean of both cells' has
+/// the traction -pressure m. s + 2 (D m^T + m D^T - (D.m) m m^T), D = -pressure m - s m.
+void set_traction(SolidFields& q, Vec3 const& m, double pressure) noexcept {
+  double const p = q[field::p];
+  auto const stress = [&](std::size_t i, std::size_t j) {
+    return q[field::S + tensor_place[i][j]] - (i == j ? p : 0.0);
+  };
+  Vec3 D{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    D[i] = -pressure * m[i];
+    for (std::size_t j = 0; j < 3; ++j) D[i] -= stress(i, j) * m[j];
+  }
+  double const along = dot(D, m);
+  std::array<double, 6> changed{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = i; j < 3; ++j) {
+      changed[tensor_place[i][j]] =
+          q[field::S + tensor_place[i][j]] + 2 * (D[i] * m[j] + m[i] * D[j] - along * m[i] * m[j]);
+    }
+  }
+  for (std::size_t c = 0; c < 6; ++c) q[field::S + c] = changed[c];
+}
+
+}  // namespace
+
+ModelStencil Body::stencil(std::size_t triangle) const {
+  TriangleState const& t = triangles[triangle];
+  Frame const& f = t.frame;
+  double const h_gas = gas.kinds.box().h, h = setup.cell;
+  ModelStencil s{};
+  s.velocity = f.into(t.velocity);
+  ModelStencil::Cells<bool> there{};
+  auto const place = [&](double depth, double width, std::size_t a, std::size_t b) {
+    return t.centre + depth * f.n + ((static_cast<double>(a) - 1) * width) * f.a +
+           ((static_cast<double>(b) - 1) * width) * f.b;
+  };
+
+  for (std::size_t k = 0; k < 3; ++k) {
+    double const layer = static_cast<double>(k) + 0.5;
+    for (std::size_t a = 0; a < 3; ++a) {
+      for (std::size_t b = 0; b < 3; ++b) {
+        bool const core = a == 1 && b == 1 && k < core_layers;
+        Vec3 x = place(layer * h_gas, h_gas, a, b);
+        if (core) {
+          s.gas[k][a][b] = into_frame(f, t.gas[k]);
+        } else if (gas.kinds.in_medium(x)) {
+          s.gas[k][a][b] = into_frame(f, gas.donors.at(x, Donors<GasFields>::From::valid, t.gas[0]));
+        } else {
+          // a mirror of the layer's centre, which is known already or (layer 2) the layer before
+          GasFields q = s.gas[std::min<std::size_t>(k, core_layers - 1)][1][1];
+          if (k < core_layers) q = into_frame(f, t.gas[k]);
+          for (std::size_t c = 1; c < 3; ++c) q[gas_field::u + c] = 2 * s.velocity[c] - q[gas_field::u + c];
+          s.gas[k][a][b] = q;
+        }
+        x = place(-layer * h, h, a, b);
+        there[k][a][b] = (core && k == 0) || solid.kinds.in_medium(x);
+        if (core) {
+          s.solid[k][a][b] = into_frame(f, t.solid[k]);
+        } else if (there[k][a][b]) {
+          s.solid[k][a][b] = into_frame(f, solid.donors.at(x, Donors<SolidFields>::From::valid, t.solid[0]));
+        }
+      }
+    }
+  }
+
+  std::array<LayerSlope, 3> slope;
+  for (std::size_t k = 3; k-- > 0;) {
+    slope[k] = slope_of(s.solid[k], there[k]);
+    if (!slope[k].known && k < 2) slope[k] = slope[k + 1];
+  }
+  // the triangle whose centre is nearest: what acts on that side of the body
+  auto const wall_at = [&](Vec3 const& x) {
+    double best = 1e300;
+    TriangleState const* found = &t;
+    solid.donors.for_each_near(x, 2, [&](CloudPoint<SolidFields> const& point) {
+      TriangleState const& other = triangles[static_cast<std::size_t>(point.triangle)];
+      Vec3 const r = other.centre - x;
+      if (dot(r, r) < best) best = dot(r, r), found = &other;
+    });
+    return found;
+  };
+  for (std::size_t k = 0; k < 3; ++k) {
+    double const layer = static_cast<double>(k);
+    bool const behind = k > 0 && !there[k][1][1];  // the body ends before this layer
+    if (behind) {
+      TriangleState const* const wall = wall_at(place(-layer * h, h, 1, 1));
+      for (std::size_t a = 0; a < 3; ++a) {
+        for (std::size_t b = 0; b < 3; ++b) {
+          s.solid[k][a][b] = s.solid[k - 1][a][b], s.solid_smooth[k][a][b] = s.solid_smooth[k - 1][a][b];
+          set_traction(s.solid[k][a][b], {1, 0, 0}, wall->pressure);
+          s.solid_ghost[k][a][b] = true;
+        }
+      }
+      there[k] = there[k - 1], there[k][1][1] = false;
+      continue;
+    }
+    for (std::size_t a = 0; a < 3; ++a) {
+      for (std::size_t b = 0; b < 3; ++b) {
+        SolidFields const& centre = s.solid[k][1][1];
+        if (there[k][a][b]) {
+          s.solid_smooth[k][a][b] = s.solid[k][a][b];
+          continue;
+        }
+        double const x = static_cast<double>(a) - 1, y = static_cast<double>(b) - 1;
+        SolidFields smooth = centre;
+        if (slope[k].known) {
+          smooth = plus(plus(centre, x, slope[k].a), y, slope[k].b);
+        } else if (there[k][2 - a][2 - b]) {
+          smooth = plus(plus(centre, 1, centre), -1, s.solid[k][2 - a][2 - b]);
+        }
+        SolidFields q = centre;
+        Vec3 const side = place(-(layer + 0.5) * h, 0.5 * h, a, b);
+        TriangleState const* const wall = wall_at(side);
+        set_traction(q, f.into(wall->frame.n), wall->pressure);
+        for (std::size_t c = 0; c < 3; ++c) q[field::u + c] = smooth[field::u + c];
+        s.solid[k][a][b] = q, s.solid_smooth[k][a][b] = smooth, s.solid_ghost[k][a][b] = true;
+      }
+    }
+  }
+  return s;
+}
+
+}  // namespace g27

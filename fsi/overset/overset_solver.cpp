@@ -1,0 +1,302 @@
+#include "fsi/overset/overset_solver.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace g27 {
+
+namespace {
+
+double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+}  // namespace
+
+struct OversetSolver::Impl {
+  OversetSetup setup;
+  std::function<GasPoint(Vec3 const&)> initial;
+  GasGrid gas;
+  std::vector<std::unique_ptr<Body>> bodies;
+  std::vector<std::vector<ModelProblems>> problems;  ///< [body][thread]
+  std::vector<std::vector<ModelResult>> results;     ///< [body][triangle]
+  std::vector<Vec3> impulse;
+  OversetCounters counters;
+  double time = 0, last_dt = 0;
+  int threads;
+
+  Impl(OversetSetup s, std::function<GasPoint(Vec3 const&)> start)
+      : setup(std::move(s)),
+        initial(std::move(start)),
+        gas(setup.gas),
+        threads(std::max(1, setup.gas.options.threads)) {
+    gas.set_averages([&](Vec3 const& x, Vec3 const&) { return densities_of(setup.gas.eos, gas_at(x)); });
+    for (BodySetup const& b : setup.bodies) {
+      bodies.push_back(std::make_unique<Body>(b, gas, setup.solid_options));
+      std::vector<ModelProblems> each;
+      for (int k = 0; k < threads; ++k) {
+        each.emplace_back(setup.gas.eos, b.material, gas.widths()[0], b.cell,
+                          ModelOptions{.predictor = setup.gas.options.predictor,
+                                       .monotonicity = setup.gas.options.monotonicity,
+                                       .riemann = setup.gas.options.riemann});
+      }
+      problems.push_back(std::move(each));
+      results.emplace_back(bodies.back()->triangles.size());
+      if (setup.cfl <= 0) setup.cfl = 0.8;
+      if (b.material.plastic()) setup.cfl = std::min(setup.cfl, 0.7);
+    }
+    impulse.assign(bodies.size(), {0, 0, 0});
+    begin();
+  }
+
+  [[nodiscard]] GasFields gas_at(Vec3 const& x) const {
+    GasPoint const s = initial(x);
+    return {s.rho, s.u[0], s.u[1], s.u[2], s.p};
+  }
+  [[nodiscard]] static SolidFields solid_at(Body const& b, Vec3 const& x) {
+    SolidPoint const s = b.setup.initial(x);
+    SolidFields q{s.rho, s.u[0], s.u[1], s.u[2], s.p};
+    q[solid_field_of::e] = std::visit([&](auto const& eos) { return eos.energy(s.rho, s.p); }, b.setup.material.eos);
+    for (std::size_t c = 0; c < 6; ++c) q[solid_field_of::S + c] = s.S[c];
+    q[solid_field_of::ep] = s.ep;
+    return q;
+  }
+
+  void classify() {
+    std::vector<TriangleSurface const*> all;
+    for (auto const& b : bodies) all.push_back(&b->surface);
+    for (auto const& b : bodies) {
+      TriangleSurface const* const own = &b->surface;
+      b->gas.kinds.classify(all), b->solid.kinds.classify(std::span(&own, 1));
+    }
+  }
+
+  void begin() {
+    classify();
+    for (auto const& b : bodies) {
+      double const h = b->setup.cell, h_gas = gas.widths()[0];
+      for (TriangleState& t : b->triangles) {
+        for (std::size_t k = 0; k < core_layers; ++k) {
+          double const layer = static_cast<double>(k) + 0.5;
+          t.gas[k] = gas_at(t.centre + layer * h_gas * t.frame.n);
+          t.solid[k] = solid_at(*b, t.centre - layer * h * t.frame.n);
+        }
+        t.velocity = velocity_of(solid_at(*b, t.centre)), t.pressure = t.gas[0][gas_field::p];
+      }
+      Vec3 const middle = 0.5 * (b->setup.lower + b->setup.upper);
+      b->background = solid_at(*b, middle);
+      b->grid.set_averages([&](Vec3 const& x, Vec3 const&) {
+        std::size_t const i = static_cast<std::size_t>(b->solid.kinds.index(b->solid.kinds.cell_of(x)));
+        return densities_of(b->solid.kinds.valid(i) ? solid_at(*b, x) : b->background);
+      });
+    }
+    read_states(true), set_clouds(), write_back(true);
+  }
+
+  /// States of the cells that the grids' own schemes have updated; at the start of all.
+  void read_states(bool all) {
+    for (auto const& b : bodies) {
+      auto const read = [&](auto& region, auto const& state) {
+        for (std::size_t i = 0; i < region.kinds.count(); ++i) {
+          bool const own = all || region.kinds.kind_before(i) == CellKind::deep;
+          if (own && region.kinds.valid(i)) region.states[i] = state(region.kinds.in_grid(region.kinds.cell(i)));
+        }
+      };
+      read(b->gas, [&](Int3 const& c) { return fields_of(setup.gas.eos, gas.average(c)); });
+      read(b->solid, [&](Int3 const& c) { return fields_of(b->setup.material.eos, b->grid.average(c)); });
+    }
+  }
+
+  void set_clouds() {
+    for (auto const& b : bodies) {
+      std::vector<CloudPoint<SolidFields>> solid;
+      std::vector<CloudPoint<GasFields>> gas_points;
+      for (auto const& other : bodies) {
+        double const h_gas = gas.widths()[0];
+        for (std::size_t n = 0; n < other->triangles.size(); ++n) {
+          TriangleState const& t = other->triangles[n];
+          for (std::size_t k = 0; k < core_layers; ++k) {
+            double const layer = static_cast<double>(k) + 0.5;
+            Vec3 const x = t.centre + layer * h_gas * t.frame.n;
+            if (near(b->gas.kinds, x) && b->gas.kinds.in_medium(x))
+              gas_points.push_back({x, t.gas[k], static_cast<int>(n)});
+            if (other != b) continue;
+            Vec3 const y = t.centre - layer * b->setup.cell * t.frame.n;
+            if (k == 0 || b->solid.kinds.in_medium(y)) solid.push_back({y, t.solid[k], static_cast<int>(n)});
+          }
+        }
+      }
+      b->gas.donors.set_cloud(std::move(gas_points)), b->solid.donors.set_cloud(std::move(solid));
+    }
+  }
+  static bool near(CellKinds const& kinds, Vec3 const& x) {
+    WindowBox const& box = kinds.box();
+    for (std::size_t a = 0; a < 3; ++a) {
+      double const from = box.lower[a] + box.first[a] * box.h;
+      if (x[a] < from || x[a] > from + box.size[a] * box.h) return false;
+    }
+    return true;
+  }
+
+  /// Cells that the schemes have not updated: those of the medium from its donors, those around it continued, the rest
+  /// at rest. `started`: every valid cell has its state already.
+  void write_back(bool started) {
+    for (auto const& b : bodies) {
+      GasPoint const ambient = initial(0.5 * (b->setup.lower + b->setup.upper));
+      GasFields const still{ambient.rho, ambient.u[0], ambient.u[1], ambient.u[2], ambient.p};
+      std::vector<Int3> cells;
+      std::vector<GasDensities> gas_averages;
+      fill(b->gas, started, still, cells,
+           [&](GasFields const& q) { gas_averages.push_back(densities_of(setup.gas.eos, q)); });
+      gas.replace(cells, gas_averages);
+      cells.clear();
+      std::vector<SolidDensities> solid_averages;
+      Vec3 mean{0, 0, 0};
+      for (TriangleState const& t : b->triangles)
+        mean = mean + (1.0 / static_cast<double>(b->triangles.size())) * t.velocity;
+      for (std::size_t a = 0; a < 3; ++a) b->background[solid_field_of::u + a] = mean[a];
+      fill(b->solid, started, b->background, cells,
+           [&](SolidFields const& q) { solid_averages.push_back(densities_of(q)); });
+      b->grid.replace(cells, solid_averages);
+    }
+  }
+
+  template <class Fields, class Put>
+  void fill(Region<Fields>& region, bool started, Fields const& still, std::vector<Int3>& cells, Put const& put) {
+    using From = typename Donors<Fields>::From;
+    CellKinds const& kinds = region.kinds;
+    std::vector<std::size_t> wanted, fringe;
+    for (std::size_t i = 0; i < kinds.count(); ++i) {
+      if (kinds.valid(i)) {
+        if (!started && kinds.kind_before(i) != CellKind::deep) wanted.push_back(i);
+      } else if (kinds.fringe(i)) {
+        fringe.push_back(i);
+      } else {
+        cells.push_back(kinds.in_grid(kinds.cell(i))), put(still);
+      }
+    }
+    std::vector<Fields> filled(wanted.size());
+#pragma omp parallel for num_threads(threads) schedule(dynamic, 32)
+    for (std::size_t n = 0; n < wanted.size(); ++n) {
+      filled[n] = region.donors.at(kinds.centre(kinds.cell(wanted[n])), From::own_update, region.states[wanted[n]]);
+    }
+    for (std::size_t n = 0; n < wanted.size(); ++n) {
+      region.states[wanted[n]] = filled[n];
+      cells.push_back(kinds.in_grid(kinds.cell(wanted[n]))), put(filled[n]);
+    }
+    filled.resize(fringe.size());
+#pragma omp parallel for num_threads(threads) schedule(dynamic, 32)
+    for (std::size_t n = 0; n < fringe.size(); ++n) {
+      filled[n] = region.donors.at(kinds.centre(kinds.cell(fringe[n])), From::valid, still);
+    }
+    for (std::size_t n = 0; n < fringe.size(); ++n)
+      cells.push_back(kinds.in_grid(kinds.cell(fringe[n]))), put(filled[n]);
+  }
+
+  [[nodiscard]] double stable_dt() const {
+    double dt = gas.stable_dt();
+    double const h_gas = gas.widths()[0];
+    for (auto const& b : bodies) {
+      dt = std::min(dt, b->grid.stable_dt());
+      double rate = 0;
+      for (TriangleState const& t : b->triangles) {
+        GasFields const& q = t.gas[0];
+        Vec3 const v = t.frame.into(velocity_of(q) - t.velocity);
+        double const K = std::visit(
+            [&](auto const& eos) { return eos.bulk_modulus(q[gas_field::rho], q[gas_field::p]); }, setup.gas.eos);
+        rate = std::max(
+            rate, (std::fabs(v[0]) + std::fabs(v[1]) + std::fabs(v[2]) + 3 * std::sqrt(K / q[gas_field::rho])) / h_gas);
+        SolidFields const& s = t.solid[0];
+        double const M =
+            std::visit([&](auto const& eos) { return eos.bulk_modulus(s[0], s[4]); }, b->setup.material.eos) +
+            4.0 / 3.0 * b->setup.material.mu;
+        rate = std::max(rate, 3 * std::sqrt(M / s[0]) / b->setup.cell);
+      }
+      dt = std::min(dt, setup.cfl / rate);
+    }
+    return dt;
+  }
+
+  void solve_problems(double dt) {
+    for (std::size_t n = 0; n < bodies.size(); ++n) {
+      Body& b = *bodies[n];
+      std::size_t const count = b.triangles.size(), batches = (count + ModelProblems::lanes - 1) / ModelProblems::lanes;
+      std::vector<std::array<Vec3, 2>> gradient(count);
+#pragma omp parallel for num_threads(threads) schedule(dynamic, 4)
+      for (std::size_t batch = 0; batch < batches; ++batch) {
+        std::size_t const first = batch * ModelProblems::lanes, size = std::min(ModelProblems::lanes, count - first);
+        std::array<ModelStencil, ModelProblems::lanes> stencils;
+        for (std::size_t k = 0; k < size; ++k) {
+          stencils[k] = b.stencil(first + k);
+          gradient[first + k] = b.velocity_gradient(first + k, stencils[k]);
+        }
+        problems[n][static_cast<std::size_t>(omp_get_thread_num())].solve(std::span(stencils).first(size), dt,
+                                                                          std::span(results[n]).subspan(first, size));
+      }
+      for (std::size_t t = 0; t < count; ++t) b.triangles[t].gradient = gradient[t];
+      counters.problems += count;
+    }
+  }
+
+  GridStepReport step(double t_end) {
+    double dt = stable_dt();
+    dt = last_dt > 0 ? std::min(dt, setup.growth * last_dt) : setup.first * dt;
+    last_dt = dt;
+    if (time + dt > t_end - 1e-10 * dt) dt = t_end - time;
+    GridStepReport report{.status = StepStatus::ok, .cell = {}, .dt = dt};
+    if (!(dt > 0)) return {StepStatus::time_step_vanished, {}, dt};
+    double const began = seconds();
+    solve_problems(dt);
+    double const solved = seconds();
+    while (gas.time() < time + dt) {
+      GridStepReport const r = gas.step(time + dt);
+      if (r.status != StepStatus::ok) return r;
+    }
+    double const gas_done = seconds();
+    for (auto const& b : bodies) {
+      while (b->grid.time() < time + dt) {
+        GridStepReport const r = b->grid.step(time + dt);
+        if (r.status != StepStatus::ok) return r;
+      }
+    }
+    double const solid_done = seconds();
+    for (std::size_t n = 0; n < bodies.size(); ++n) accept(*bodies[n], results[n], dt, impulse[n]);
+    classify();
+    double const placed = seconds();
+    read_states(false), set_clouds(), write_back(false);
+    double const done = seconds();
+    counters.seconds_local += solved - began, counters.seconds_gas += gas_done - solved;
+    counters.seconds_solid += solid_done - gas_done, counters.seconds_geometry += placed - solid_done;
+    counters.seconds_fill += done - placed;
+    time += dt, counters.steps += 1;
+    return report;
+  }
+
+  void accept(Body& b, std::vector<ModelResult> const& result, double dt, Vec3& given) {
+    for (std::size_t n = 0; n < b.triangles.size(); ++n) {
+      TriangleState& t = b.triangles[n];
+      ModelResult const& r = result[n];
+      t.pressure = r.pressure, t.velocity = t.frame.out_of(r.velocity);
+      for (std::size_t k = 0; k < core_layers; ++k) {
+        t.gas[k] = out_of_frame(t.frame, r.gas[k]), t.solid[k] = out_of_frame(t.frame, r.solid[k]);
+      }
+      given = given - (dt * r.pressure * t.area) * t.frame.n;
+      counters.first_order += r.first_order ? 1 : 0, counters.failed += r.failed ? 1 : 0;
+    }
+    b.move_vertices(dt);
+    b.place_triangles();
+  }
+};
+
+OversetSolver::OversetSolver(OversetSetup setup, std::function<GasPoint(Vec3 const&)> initial)
+    : impl_(std::make_unique<Impl>(std::move(setup), std::move(initial))) {}
+OversetSolver::~OversetSolver() = default;
+GridStepReport OversetSolver::step(double t_end) { return impl_->step(t_end); }
+double OversetSolver::time() const noexcept { return impl_->time; }
+GasGrid const& OversetSolver::gas() const noexcept { return impl_->gas; }
+std::vector<std::unique_ptr<Body>> const& OversetSolver::bodies() const noexcept { return impl_->bodies; }
+OversetCounters const& OversetSolver::counters() const noexcept { return impl_->counters; }
+std::vector<Vec3> const& OversetSolver::impulse() const noexcept { return impl_->impulse; }
+
+}  // namespace g27

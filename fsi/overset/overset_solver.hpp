@@ -1,0 +1,46 @@
+#pragma once
+/// Gas and deforming bodies in three dimensions on overset grids: the step of OG section 5.
+#include <memory>
+
+#include "fsi/overset/body.hpp"
+
+namespace g27 {
+
+struct OversetSetup {
+  GasGridSetup gas;  ///< of equal widths along the three axes
+  std::vector<BodySetup> bodies;
+  SolidSchemeOptions solid_options{};
+  double cfl = 0;       ///< 0: chosen, 0.8, or 0.7 with a body that yields
+  double growth = 1.2;  ///< of the time step, at most
+  double first = 0.1;   ///< of the first time step, over that which is stable
+};
+
+struct OversetCounters {
+  std::uint64_t steps = 0, problems = 0;  ///< model problems solved
+  std::uint64_t first_order = 0;          ///< of them redone by Godunov's scheme
+  std::uint64_t failed = 0;               ///< of those kept as they were
+  double seconds_local = 0, seconds_gas = 0, seconds_solid = 0, seconds_geometry = 0, seconds_fill = 0;
+};
+
+class OversetSolver {
+ public:
+  /// The gas's state at the start is that of `initial` where there is no body.
+  OversetSolver(OversetSetup setup, std::function<GasPoint(Vec3 const&)> initial);
+  ~OversetSolver();
+
+  /// One step, not beyond t_end.
+  GridStepReport step(double t_end);
+
+  [[nodiscard]] double time() const noexcept;
+  [[nodiscard]] GasGrid const& gas() const noexcept;
+  [[nodiscard]] std::vector<std::unique_ptr<Body>> const& bodies() const noexcept;
+  [[nodiscard]] OversetCounters const& counters() const noexcept;
+  /// Momentum that the gas has given to each body [N s], from the pressures on its triangles.
+  [[nodiscard]] std::vector<Vec3> const& impulse() const noexcept;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace g27

@@ -1,0 +1,168 @@
+#include "fsi/overset/window.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace g27 {
+
+bool crosses_line(std::array<Vec3, 3> const& t, double y, double z, double& x) noexcept {
+  // The side of the point (y, z) of an edge, by the edge's ends in one order: both triangles at it compute the same.
+  auto const side = [&](Vec3 const& p, Vec3 const& q) {
+    bool const turned = p[1] > q[1] || (p[1] == q[1] && p[2] > q[2]);
+    Vec3 const &a = turned ? q : p, &b = turned ? p : q;
+    bool const left = (b[1] - a[1]) * (z - a[2]) - (b[2] - a[2]) * (y - a[1]) > 0;
+    return turned ? !left : left;
+  };
+  bool const s = side(t[0], t[1]);
+  if (side(t[1], t[2]) != s || side(t[2], t[0]) != s) return false;
+  Vec3 const n = cross(t[1] - t[0], t[2] - t[0]);
+  if (n[0] == 0) return false;
+  x = t[0][0] - (n[1] * (y - t[0][1]) + n[2] * (z - t[0][2])) / n[0];
+  return true;
+}
+
+bool touches_cube(std::array<Vec3, 3> const& triangle, Vec3 const& centre, double half) noexcept {
+  Vec3 const a = triangle[0] - centre, b = triangle[1] - centre, c = triangle[2] - centre;
+  auto const apart = [&](Vec3 const& axis, double radius) {
+    double const p = dot(a, axis), q = dot(b, axis), r = dot(c, axis);
+    return std::max({-std::max({p, q, r}), std::min({p, q, r})}) > radius;
+  };
+  for (std::size_t d = 0; d < 3; ++d) {
+    if (std::max({-std::max({a[d], b[d], c[d]}), std::min({a[d], b[d], c[d]})}) > half) return false;
+  }
+  auto const reach = [&](Vec3 const& axis) {
+    return half * (std::fabs(axis[0]) + std::fabs(axis[1]) + std::fabs(axis[2]));
+  };
+  std::array<Vec3, 3> const edges{b - a, c - b, a - c};
+  Vec3 const n = cross(edges[0], edges[1]);
+  if (std::fabs(dot(n, a)) > reach(n)) return false;
+  for (Vec3 const& e : edges) {
+    for (Vec3 const& axis : {Vec3{0, -e[2], e[1]}, Vec3{e[2], 0, -e[0]}, Vec3{-e[1], e[0], 0}}) {
+      if (apart(axis, reach(axis))) return false;
+    }
+  }
+  return true;
+}
+
+CellKinds::CellKinds(WindowBox const& box, bool inside) : box_(box), inside_(inside) {
+  std::size_t const n = static_cast<std::size_t>(box.size[0]) * static_cast<std::size_t>(box.size[1]) *
+                        static_cast<std::size_t>(box.size[2]);
+  kinds_.assign(n, CellKind::foreign), before_ = kinds_, fringe_.assign(n, 0);
+  columns_.resize(static_cast<std::size_t>(box.size[1]) * static_cast<std::size_t>(box.size[2]));
+}
+
+Int3 CellKinds::cell(std::size_t i) const noexcept {
+  std::size_t const nx = static_cast<std::size_t>(box_.size[0]), ny = static_cast<std::size_t>(box_.size[1]);
+  return {static_cast<int>(i % nx), static_cast<int>(i / nx % ny), static_cast<int>(i / (nx * ny))};
+}
+
+Vec3 CellKinds::centre(Int3 const& cell) const noexcept {
+  Vec3 x{};
+  for (std::size_t a = 0; a < 3; ++a) x[a] = box_.lower[a] + (box_.first[a] + cell[a] + 0.5) * box_.h;
+  return x;
+}
+
+Int3 CellKinds::cell_of(Vec3 const& x) const noexcept {
+  Int3 cell{};
+  for (std::size_t a = 0; a < 3; ++a) {
+    double const at = std::floor((x[a] - box_.lower[a]) / box_.h) - box_.first[a];
+    cell[a] = static_cast<int>(std::clamp(at, 0.0, static_cast<double>(box_.size[a] - 1)));
+  }
+  return cell;
+}
+
+void CellKinds::classify(std::span<TriangleSurface const* const> surfaces) {
+  surfaces_.assign(surfaces.begin(), surfaces.end());
+  std::swap(before_, kinds_);
+  std::fill(kinds_.begin(), kinds_.end(), CellKind::foreign);
+  for (auto& c : columns_) c.clear();
+  mark_cut(), mark_sides(), mark_depth();
+}
+
+void CellKinds::mark_cut() {
+  double const half = 0.5 * box_.h;
+  for (std::size_t s = 0; s < surfaces_.size(); ++s) {
+    TriangleSurface const& surface = *surfaces_[s];
+    for (std::size_t t = 0; t < surface.size(); ++t) {
+      auto const corners = surface.corners(t);
+      Vec3 low = corners[0], high = corners[0];
+      for (Vec3 const& c : corners) {
+        for (std::size_t a = 0; a < 3; ++a) low[a] = std::min(low[a], c[a]), high[a] = std::max(high[a], c[a]);
+      }
+      bool outside = false;
+      for (std::size_t a = 0; a < 3; ++a) {
+        double const from = box_.lower[a] + box_.first[a] * box_.h, to = from + box_.size[a] * box_.h;
+        outside = outside || high[a] < from || low[a] > to;
+      }
+      if (outside) continue;
+      Int3 const c0 = cell_of(low), c1 = cell_of(high);
+      for (int k = c0[2]; k <= c1[2]; ++k) {
+        for (int j = c0[1]; j <= c1[1]; ++j) {
+          columns_[column(j, k)].push_back({static_cast<int>(s), static_cast<int>(t)});
+          for (int i = c0[0]; i <= c1[0]; ++i) {
+            CellKind& kind = kinds_[static_cast<std::size_t>(index({i, j, k}))];
+            if (kind != CellKind::cut && touches_cube(corners, centre({i, j, k}), half)) kind = CellKind::cut;
+          }
+        }
+      }
+    }
+  }
+}
+
+void CellKinds::mark_sides() {
+  std::vector<double> crossings;
+  for (int k = 0; k < box_.size[2]; ++k) {
+    for (int j = 0; j < box_.size[1]; ++j) {
+      crossings.clear();
+      Vec3 const c = centre({0, j, k});
+      for (Crossing const& at : columns_[column(j, k)]) {
+        double x = 0;
+        TriangleSurface const& surface = *surfaces_[static_cast<std::size_t>(at.surface)];
+        if (crosses_line(surface.corners(static_cast<std::size_t>(at.triangle)), c[1], c[2], x)) crossings.push_back(x);
+      }
+      std::sort(crossings.begin(), crossings.end());
+      std::size_t passed = 0;
+      for (int i = 0; i < box_.size[0]; ++i) {
+        double const x = centre({i, j, k})[0];
+        while (passed < crossings.size() && crossings[passed] < x) ++passed;
+        CellKind& kind = kinds_[static_cast<std::size_t>(index({i, j, k}))];
+        if (kind != CellKind::cut && (passed % 2 == 1) == inside_) kind = CellKind::deep;
+      }
+    }
+  }
+}
+
+void CellKinds::mark_depth() {
+  std::fill(fringe_.begin(), fringe_.end(), 0);
+  for (std::size_t i = 0; i < kinds_.size(); ++i) {
+    if (valid(i)) continue;
+    Int3 const c = cell(i);
+    for (int dz = -1; dz <= 1; ++dz) {
+      for (int dy = -1; dy <= 1; ++dy) {
+        for (int dx = -1; dx <= 1; ++dx) {
+          Int3 const o{c[0] + dx, c[1] + dy, c[2] + dz};
+          if (!holds(o)) continue;
+          CellKind& kind = kinds_[static_cast<std::size_t>(index(o))];
+          if (kind < CellKind::shallow) continue;
+          kind = CellKind::shallow, fringe_[i] = 1;
+        }
+      }
+    }
+  }
+}
+
+bool CellKinds::in_medium(Vec3 const& x) const noexcept {
+  Int3 const c = cell_of(x);
+  std::size_t const i = static_cast<std::size_t>(index(c));
+  if (kinds_[i] != CellKind::cut) return valid(i);
+  bool odd = false;
+  for (Crossing const& at : columns_[column(c[1], c[2])]) {
+    double crossing = 0;
+    TriangleSurface const& surface = *surfaces_[static_cast<std::size_t>(at.surface)];
+    if (crosses_line(surface.corners(static_cast<std::size_t>(at.triangle)), x[1], x[2], crossing) && crossing > x[0])
+      odd = !odd;
+  }
+  return odd == inside_;
+}
+
+}  // namespace g27

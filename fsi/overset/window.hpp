@@ -1,0 +1,100 @@
+#pragma once
+/// The part of a Cartesian grid around the bodies' surfaces: which medium its cells belong to, and their states.
+#include <span>
+
+#include "fsi/overset/fields.hpp"
+#include "fsi/surface/triangle_surface.hpp"
+
+namespace g27 {
+
+/// Kinds of the cells of one medium's grid (OG section 5, the four kinds).
+enum class CellKind : unsigned char {
+  foreign,  ///< the centre lies in the other medium, and no triangle crosses the cell
+  cut,      ///< a triangle crosses it
+  shallow,  ///< of the medium, beside a cell that is not: its state is interpolated
+  deep      ///< all of its 26 neighbours are of the medium: the grid's own scheme updates it
+};
+
+/// Uniform cells of one width.
+struct WindowBox {
+  Vec3 lower{0, 0, 0};  ///< corner of the grid's cell (0, 0, 0) [m]
+  double h = 1;         ///< [m]
+  Int3 grid{1, 1, 1};   ///< cells of the grid
+  Int3 first{0, 0, 0};  ///< first cell of the window, in the grid
+  Int3 size{0, 0, 0};   ///< cells
+};
+
+/// Points of which the cloud's states are known, binned by the window's cells.
+template <class Fields>
+struct CloudPoint {
+  Vec3 x;
+  Fields q;
+  int triangle = 0;  ///< whose core it is
+  int next = -1;     ///< the next one in the same cell
+};
+
+/// Geometry: kinds of the cells.
+class CellKinds {
+ public:
+  /// `inside`: the medium lies within the surfaces.
+  CellKinds(WindowBox const& box, bool inside);
+
+  /// Kinds by where the surfaces are now. The window must reach two cells beyond them, or to the grid's side.
+  void classify(std::span<TriangleSurface const* const> surfaces);
+
+  [[nodiscard]] WindowBox const& box() const noexcept { return box_; }
+  [[nodiscard]] std::size_t count() const noexcept { return kinds_.size(); }
+  [[nodiscard]] bool holds(Int3 const& cell) const noexcept {
+    for (std::size_t a = 0; a < 3; ++a) {
+      if (cell[a] < 0 || cell[a] >= box_.size[a]) return false;
+    }
+    return true;
+  }
+  /// Cells are numbered from the window's first.
+  [[nodiscard]] std::ptrdiff_t index(Int3 const& cell) const noexcept {
+    return cell[0] +
+           static_cast<std::ptrdiff_t>(box_.size[0]) * (cell[1] + static_cast<std::ptrdiff_t>(box_.size[1]) * cell[2]);
+  }
+  [[nodiscard]] Int3 cell(std::size_t index) const noexcept;
+  [[nodiscard]] Int3 in_grid(Int3 const& cell) const noexcept {
+    return {cell[0] + box_.first[0], cell[1] + box_.first[1], cell[2] + box_.first[2]};
+  }
+  [[nodiscard]] Vec3 centre(Int3 const& cell) const noexcept;
+  /// The cell that a point lies in, or the nearest one of the window.
+  [[nodiscard]] Int3 cell_of(Vec3 const& x) const noexcept;
+  [[nodiscard]] CellKind kind(std::size_t i) const noexcept { return kinds_[i]; }
+  [[nodiscard]] CellKind kind_before(std::size_t i) const noexcept { return before_[i]; }
+  [[nodiscard]] bool valid(std::size_t i) const noexcept { return kinds_[i] >= CellKind::shallow; }
+  /// Whether a point belongs to the medium: by its cell, in a cut one by counting the surfaces along a ray.
+  [[nodiscard]] bool in_medium(Vec3 const& x) const noexcept;
+  /// A foreign or cut cell with a valid one around it.
+  [[nodiscard]] bool fringe(std::size_t i) const noexcept { return fringe_[i] != 0; }
+
+ private:
+  struct Crossing {
+    int surface, triangle;
+  };
+  [[nodiscard]] std::size_t column(int j, int k) const noexcept {
+    return static_cast<std::size_t>(j) + static_cast<std::size_t>(box_.size[1]) * static_cast<std::size_t>(k);
+  }
+  void mark_cut();
+  void mark_sides();
+  void mark_depth();
+
+  WindowBox box_;
+  bool inside_;
+  std::vector<CellKind> kinds_, before_;
+  std::vector<unsigned char> fringe_;
+  std::vector<TriangleSurface const*> surfaces_;
+  std::vector<std::vector<Crossing>> columns_;  ///< triangles over each column of cells along x
+};
+
+/// Where a line along x through (y, z) crosses a triangle. Lines through an edge or a corner cross exactly one of the
+/// triangles that share it (edges are half open), so that counting them is exact.
+bool crosses_line(std::array<Vec3, 3> const& triangle, double y, double z, double& x) noexcept;
+
+/// Whether a triangle and a cube of half width `half` about `centre` have a point in common (Akenine-Moeller, J.
+/// Graphics Tools 6 (2001) 29: separating axes).
+bool touches_cube(std::array<Vec3, 3> const& triangle, Vec3 const& centre, double half) noexcept;
+
+}  // namespace g27
