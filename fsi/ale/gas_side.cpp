@@ -150,9 +150,11 @@ void GasSide::faces(int axis, std::array<int, 3> cell, bool far_left, bool far_r
   for (std::size_t lane = 0; lane < model_lanes; ++lane) {
     double const stiff = block_.at(K, cell[0], cell[1], cell[2])[lane];
     double const Z = std::sqrt(stiff * block_.at(rho, cell[0], cell[1], cell[2])[lane]);
-    double const most = std::fabs(bend(block_, p, axis, cell, far_left, lane)) +
-                        Z * std::fabs(bend(block_, u + a, axis, cell, far_left, lane));
-    free[lane] = most <= quiet * stiff / exponent_;
+    auto const dp = differences(block_, p, axis, cell, far_left, lane);
+    auto const du = differences(block_, u + a, axis, cell, far_left, lane);
+    double const most = quiet * stiff / exponent_;
+    free[lane] = plain(dp.far + Z * du.far, dp.face + Z * du.face, most) &&
+                 plain(dp.far - Z * du.far, dp.face - Z * du.face, most);
   }
   gather(block_, axis, cell, far_left, far_right, free, stencil_);
   auto const at = [&](std::size_t field) -> double const* { return stencil_.q[field][1]; };

@@ -1,6 +1,7 @@
 #pragma once
 /// Storage of the model problems that are solved together: a row of one cell holds that cell of every problem.
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 #include "fsi/ale/model_problem.hpp"
@@ -43,13 +44,23 @@ struct alignas(64) LaneStencil {
   double q[fields][4][model_lanes];
 };
 
-/// Second difference of a field over the three cells that are known around a face.
+/// Differences of a field across a face and across the interval beside it on the side where one more cell is known;
+/// both from the far cell towards the face and beyond.
+struct KnownDifferences {
+  double far, face;
+};
 template <std::size_t fields>
-double bend(LaneBlock<fields> const& block, std::size_t field, int axis, std::array<int, 3> cell, bool far_left,
-            std::size_t lane) noexcept {
+KnownDifferences differences(LaneBlock<fields> const& block, std::size_t field, int axis, std::array<int, 3> cell,
+                             bool far_left, std::size_t lane) noexcept {
   std::ptrdiff_t const s = LaneBlock<fields>::stride[static_cast<std::size_t>(axis)];
   double const* const q = block.at(field, cell[0], cell[1], cell[2]) + lane;
-  return far_left ? q[s] - 2 * q[0] + q[-s] : q[2 * s] - 2 * q[s] + q[0];
+  if (far_left) return {q[0] - q[-s], q[s] - q[0]};
+  return {q[s] - q[2 * s], q[0] - q[s]};
+}
+
+/// Whether the parabola through three cells is monotone between the two beside the face, or its bend next to nothing.
+inline bool plain(double far, double face, double quiet) noexcept {
+  return std::fabs(face - far) <= quiet || (face + far) * (3 * face - far) >= 0;
 }
 
 /// Cells of the stencil of a face from the block, the left one at (i, j, k). Beyond the block a difference is taken

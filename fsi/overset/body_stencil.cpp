@@ -78,6 +78,11 @@ ModelStencil Body::stencil(std::size_t triangle) const {
   ModelStencil s{};
   s.velocity = f.into(t.velocity);
   ModelStencil::Cells<bool> there{};
+  constexpr double half_diagonal = 1.75;  // of the stencil's cell centres, in cells
+  thread_local Donors<GasFields>::Around gas_near;
+  thread_local Donors<SolidFields>::Around solid_near;
+  gas_near.reset(gas.donors, t.centre + (1.5 * h_gas) * f.n, half_diagonal);
+  solid_near.reset(solid.donors, t.centre - (1.5 * h) * f.n, half_diagonal);
   auto const place = [&](double depth, double width, std::size_t a, std::size_t b) {
     return t.centre + depth * f.n + ((static_cast<double>(a) - 1) * width) * f.a +
            ((static_cast<double>(b) - 1) * width) * f.b;
@@ -92,7 +97,7 @@ ModelStencil Body::stencil(std::size_t triangle) const {
         if (core) {
           s.gas[k][a][b] = into_frame(f, t.gas[k]);
         } else if (gas.kinds.in_medium(x)) {
-          s.gas[k][a][b] = into_frame(f, gas.donors.at(x, Donors<GasFields>::From::valid, t.gas[0]));
+          s.gas[k][a][b] = into_frame(f, gas_near.at(x, t.gas[0]));
         } else {
           // a mirror of the layer's centre, which is known already or (layer 2) the layer before
           GasFields q = s.gas[std::min<std::size_t>(k, core_layers - 1)][1][1];
@@ -105,7 +110,7 @@ ModelStencil Body::stencil(std::size_t triangle) const {
         if (core) {
           s.solid[k][a][b] = into_frame(f, t.solid[k]);
         } else if (there[k][a][b]) {
-          s.solid[k][a][b] = into_frame(f, solid.donors.at(x, Donors<SolidFields>::From::valid, t.solid[0]));
+          s.solid[k][a][b] = into_frame(f, solid_near.at(x, t.solid[0]));
         }
       }
     }

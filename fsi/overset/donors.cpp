@@ -14,6 +14,30 @@ constexpr std::size_t fewest = 5;      ///< donors
 constexpr double softening = 0.1;      ///< of the weights 1/(r^2 + softening)
 constexpr double least_moment = 0.02;  ///< of the sum of the weights, along a direction in which a slope is fitted
 
+/// -C^-1 m of a symmetric matrix C; along eigenvectors whose eigenvalue is below `least` nothing.
+Vec3 minus_inverse_times(double const* c, Vec3 const& m, double least) {
+  double const xx = c[0], yy = c[1], zz = c[2], xy = c[3], xz = c[4], yz = c[5], trace = xx + yy + zz;
+  double const a = yy * zz - yz * yz, b = xz * yz - xy * zz, d = xy * yz - xz * yy;
+  double const det = xx * a + xy * b + xz * d;
+  // the least eigenvalue is at least 4 det/trace^2
+  if (det * 4 > least * trace * trace) {
+    double const e = xx * zz - xz * xz, f = xy * xz - xx * yz, g = xx * yy - xy * xy, k = -1 / det;
+    return {k * (a * m[0] + b * m[1] + d * m[2]), k * (b * m[0] + e * m[1] + f * m[2]),
+            k * (d * m[0] + f * m[1] + g * m[2])};
+  }
+  Eigen::Matrix3d C;
+  C << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> const solver(C);
+  Eigen::Vector3d const mean(m[0], m[1], m[2]);
+  Eigen::Vector3d slope(0, 0, 0);
+  for (int i = 0; i < 3; ++i) {
+    if (solver.eigenvalues()[i] <= least) continue;
+    Eigen::Vector3d const v = solver.eigenvectors().col(i);
+    slope -= v * (v.dot(mean) / solver.eigenvalues()[i]);
+  }
+  return {slope[0], slope[1], slope[2]};
+}
+
 bool is_velocity(std::size_t f) noexcept { return f >= 1 && f <= 3; }
 
 }  // namespace
@@ -103,38 +127,31 @@ template <class Fields>
 Fields Donors<Fields>::fit(std::vector<Donor> const& donors) {
   thread_local std::vector<double> weight;
   weight.resize(donors.size());
-  double sum = 0;
-  Eigen::Vector3d mean(0, 0, 0);
-  Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
+  // moments of the weights: about the point, then about their mean
+  double sum = 0, m[3] = {}, c[6] = {};
   for (std::size_t n = 0; n < donors.size(); ++n) {
-    Eigen::Vector3d const r(donors[n].r[0], donors[n].r[1], donors[n].r[2]);
-    double const w = 1 / (r.squaredNorm() + softening);
-    weight[n] = w, sum += w, mean += w * r, moment += w * r * r.transpose();
-  }
-  mean /= sum, moment -= sum * mean * mean.transpose();
-  // slopes are dropped along directions in which the donors do not reach: by the trace's bound, else by eigenvectors
-  double const least = least_moment * sum, trace = moment.trace();
-  Eigen::Vector3d slope;
-  if (moment.determinant() * 4 > least * trace * trace) {
-    slope = -moment.inverse() * mean;
-  } else {
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> const solver(moment);
-    slope.setZero();
-    for (int e = 0; e < 3; ++e) {
-      if (solver.eigenvalues()[e] <= least) continue;
-      Eigen::Vector3d const v = solver.eigenvectors().col(e);
-      slope -= v * (v.dot(mean) / solver.eigenvalues()[e]);
+    Vec3 const& r = donors[n].r;
+    double const w = 1 / (dot(r, r) + softening);
+    weight[n] = w, sum += w;
+    for (std::size_t i = 0; i < 3; ++i) {
+      m[i] += w * r[i];
+      for (std::size_t j = i; j < 3; ++j) c[tensor_place[i][j]] += w * r[i] * r[j];
     }
   }
+  for (double& x : m) x /= sum;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = i; j < 3; ++j) c[tensor_place[i][j]] -= sum * m[i] * m[j];
+  }
+  Vec3 const slope = minus_inverse_times(c, {m[0], m[1], m[2]}, least_moment * sum);
   Fields out{}, low = *donors[0].q, high = low;
   double total = 0;
+  double const level = 1 / sum - slope[0] * m[0] - slope[1] * m[1] - slope[2] * m[2];
   for (std::size_t n = 0; n < donors.size(); ++n) {
-    Eigen::Vector3d const r(donors[n].r[0], donors[n].r[1], donors[n].r[2]);
-    double const c = weight[n] * (1 / sum + slope.dot(r - mean));
-    total += c;
+    double const share = weight[n] * (level + dot(slope, donors[n].r));
+    total += share;
     Fields const& q = *donors[n].q;
     for (std::size_t f = 0; f < q.size(); ++f) {
-      out[f] += c * q[f], low[f] = std::min(low[f], q[f]), high[f] = std::max(high[f], q[f]);
+      out[f] += share * q[f], low[f] = std::min(low[f], q[f]), high[f] = std::max(high[f], q[f]);
     }
   }
   for (double& x : out) x /= total;
@@ -156,30 +173,37 @@ Fields Donors<Fields>::at(Vec3 const& x, From from, Fields const& otherwise) con
 }
 
 template <class Fields>
-bool Donors<Fields>::gradient(Vec3 const& x, double radius, std::array<Fields, 3>& out) const {
-  thread_local std::vector<Donor> donors;
-  gather(x, radius, From::valid, donors);
-  if (donors.size() < fewest) return false;
-  double sum = 0;
-  Eigen::Vector3d mean(0, 0, 0);
-  Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
-  Eigen::Matrix<double, static_cast<int>(std::tuple_size_v<Fields>), 3> cross_moment;
-  Eigen::Matrix<double, static_cast<int>(std::tuple_size_v<Fields>), 1> q_mean;
-  cross_moment.setZero(), q_mean.setZero();
-  for (Donor const& d : donors) {
-    Eigen::Vector3d const r(d.r[0], d.r[1], d.r[2]);
-    double const w = 1 / (r.squaredNorm() + 0.3);
-    Eigen::Map<Eigen::Matrix<double, static_cast<int>(std::tuple_size_v<Fields>), 1> const> const q(d.q->data());
-    sum += w, mean += w * r, moment += w * r * r.transpose(), q_mean += w * q, cross_moment += w * q * r.transpose();
+void Donors<Fields>::Around::reset(Donors const& donors, Vec3 const& centre, double radius) {
+  donors_ = &donors;
+  WindowBox const& box = donors.kinds_.box();
+  for (std::size_t a = 0; a < 3; ++a) centre_[a] = (centre[a] - box.lower[a]) / box.h - box.first[a];
+  thread_local std::vector<Donor> all;
+  donors.gather(centre, radius + reach, From::valid, all);
+  std::size_t const n = all.size();
+  x_.resize(n), y_.resize(n), z_.resize(n), q_.resize(n);
+  for (std::size_t i = 0; i < n; ++i) x_[i] = all[i].r[0], y_[i] = all[i].r[1], z_[i] = all[i].r[2], q_[i] = all[i].q;
+}
+
+template <class Fields>
+Fields Donors<Fields>::Around::at(Vec3 const& x, Fields const& otherwise) const {
+  Fields out{};
+  if (donors_->multilinear(x, From::valid, out)) return out;
+  WindowBox const& box = donors_->kinds_.box();
+  Vec3 r{};
+  for (std::size_t a = 0; a < 3; ++a) r[a] = (x[a] - box.lower[a]) / box.h - box.first[a] - centre_[a];
+  thread_local std::vector<Donor> near;
+  thread_local std::vector<double> distance;
+  std::size_t const n = x_.size();
+  distance.resize(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    double const dx = x_[i] - r[0], dy = y_[i] - r[1], dz = z_[i] - r[2];
+    distance[i] = dx * dx + dy * dy + dz * dz;
   }
-  moment -= mean * mean.transpose() / sum, cross_moment -= q_mean * mean.transpose() / sum;
-  double const trace = moment.trace();
-  if (!(moment.determinant() > 1e-4 * trace * trace * trace)) return false;
-  auto const g = (cross_moment * moment.inverse() / kinds_.box().h).eval();
-  for (std::size_t a = 0; a < 3; ++a) {
-    for (std::size_t f = 0; f < out[a].size(); ++f) out[a][f] = g(static_cast<int>(f), static_cast<int>(a));
+  near.clear();
+  for (std::size_t i = 0; i < n; ++i) {
+    if (distance[i] < reach * reach) near.push_back({{x_[i] - r[0], y_[i] - r[1], z_[i] - r[2]}, q_[i]});
   }
-  return true;
+  return near.size() >= fewest ? fit(near) : donors_->at(x, From::valid, otherwise);
 }
 
 template class Donors<GasFields>;

@@ -25,6 +25,22 @@ class Donors {
   /// `otherwise`: where nothing is near.
   [[nodiscard]] Fields at(Vec3 const& x, From from, Fields const& otherwise) const;
 
+  /// Donors that are valid about a place, collected once for the many points of a local grid.
+  class Around {
+   public:
+    Around(Donors const& donors, Vec3 const& centre, double radius) { reset(donors, centre, radius); }
+    Around() = default;
+    /// For points up to `radius` cells from `centre`.
+    void reset(Donors const& donors, Vec3 const& centre, double radius);
+    [[nodiscard]] Fields at(Vec3 const& x, Fields const& otherwise) const;
+
+   private:
+    Donors const* donors_ = nullptr;
+    Vec3 centre_{0, 0, 0};  ///< in cells of the window
+    std::vector<double> x_, y_, z_;
+    std::vector<Fields const*> q_;
+  };
+
   /// Calls f with the cloud's points in the cells up to `cells` away from that of x.
   template <class F>
   void for_each_near(Vec3 const& x, int cells, F const& f) const {
@@ -40,9 +56,6 @@ class Donors {
       }
     }
   }
-
-  /// Gradient of the fields about x, by least squares within `radius` cells; false when there is too little around.
-  bool gradient(Vec3 const& x, double radius, std::array<Fields, 3>& out) const;
 
  private:
   struct Donor {

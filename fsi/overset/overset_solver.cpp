@@ -36,10 +36,7 @@ struct OversetSolver::Impl {
       bodies.push_back(std::make_unique<Body>(b, gas, setup.solid_options));
       std::vector<ModelProblems> each;
       for (int k = 0; k < threads; ++k) {
-        each.emplace_back(setup.gas.eos, b.material, gas.widths()[0], b.cell,
-                          ModelOptions{.predictor = setup.gas.options.predictor,
-                                       .monotonicity = setup.gas.options.monotonicity,
-                                       .riemann = setup.gas.options.riemann});
+        each.emplace_back(setup.gas.eos, b.material, gas.widths()[0], b.cell, setup.local);
       }
       problems.push_back(std::move(each));
       results.emplace_back(bodies.back()->triangles.size());

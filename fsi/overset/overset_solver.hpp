@@ -10,9 +10,10 @@ struct OversetSetup {
   GasGridSetup gas;  ///< of equal widths along the three axes
   std::vector<BodySetup> bodies;
   SolidSchemeOptions solid_options{};
-  double cfl = 0;       ///< 0: chosen, 0.8, or 0.7 with a body that yields
-  double growth = 1.2;  ///< of the time step, at most
-  double first = 0.1;   ///< of the first time step, over that which is stable
+  ModelOptions local{};  ///< of the model problems
+  double cfl = 0;        ///< 0: chosen, 0.8, or 0.7 with a body that yields
+  double growth = 1.2;   ///< of the time step, at most
+  double first = 0.1;    ///< of the first time step, over that which is stable
 };
 
 struct OversetCounters {

@@ -109,22 +109,26 @@ void CellKinds::mark_cut() {
   }
 }
 
+void CellKinds::crossings(int j, int k, double y, double z, std::vector<double>& x) const {
+  x.clear();
+  for (Crossing const& at : columns_[column(j, k)]) {
+    double where = 0;
+    TriangleSurface const& surface = *surfaces_[static_cast<std::size_t>(at.surface)];
+    if (crosses_line(surface.corners(static_cast<std::size_t>(at.triangle)), y, z, where)) x.push_back(where);
+  }
+  std::sort(x.begin(), x.end());
+}
+
 void CellKinds::mark_sides() {
-  std::vector<double> crossings;
+  std::vector<double> crossed;
   for (int k = 0; k < box_.size[2]; ++k) {
     for (int j = 0; j < box_.size[1]; ++j) {
-      crossings.clear();
       Vec3 const c = centre({0, j, k});
-      for (Crossing const& at : columns_[column(j, k)]) {
-        double x = 0;
-        TriangleSurface const& surface = *surfaces_[static_cast<std::size_t>(at.surface)];
-        if (crosses_line(surface.corners(static_cast<std::size_t>(at.triangle)), c[1], c[2], x)) crossings.push_back(x);
-      }
-      std::sort(crossings.begin(), crossings.end());
+      crossings(j, k, c[1], c[2], crossed);
       std::size_t passed = 0;
       for (int i = 0; i < box_.size[0]; ++i) {
         double const x = centre({i, j, k})[0];
-        while (passed < crossings.size() && crossings[passed] < x) ++passed;
+        while (passed < crossed.size() && crossed[passed] < x) ++passed;
         CellKind& kind = kinds_[static_cast<std::size_t>(index({i, j, k}))];
         if (kind != CellKind::cut && (passed % 2 == 1) == inside_) kind = CellKind::deep;
       }

@@ -67,6 +67,8 @@ class CellKinds {
   [[nodiscard]] bool valid(std::size_t i) const noexcept { return kinds_[i] >= CellKind::shallow; }
   /// Whether a point belongs to the medium: by its cell, in a cut one by counting the surfaces along a ray.
   [[nodiscard]] bool in_medium(Vec3 const& x) const noexcept;
+  /// Where the line along x through (y, z), which lies over column (j, k), crosses the surfaces: ascending.
+  void crossings(int j, int k, double y, double z, std::vector<double>& x) const;
   /// A foreign or cut cell with a valid one around it.
   [[nodiscard]] bool fringe(std::size_t i) const noexcept { return fringe_[i] != 0; }
 

@@ -47,13 +47,13 @@ struct TriangleSurface {
   [[nodiscard]] Vec3 const& at(int vertex) const noexcept { return vertices[static_cast<std::size_t>(vertex)]; }
 };
 
-struct Box {
+struct BoundingBox {
   Vec3 lower, upper;  ///< [m]
   [[nodiscard]] double diagonal() const noexcept { return length(upper - lower); }
 };
 
 /// Smallest box around the triangles' corners. Needs a triangle.
-Box bounding_box(TriangleSurface const& surface);
+BoundingBox bounding_box(TriangleSurface const& surface);
 
 /// Integrals over the surface and over the body within it: exact for the polyhedron. An inward surface has a negative
 /// volume and mass; an open one has volume and moments that depend on where it lies.

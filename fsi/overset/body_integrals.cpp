@@ -1,0 +1,91 @@
+#include "fsi/overset/body_integrals.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace g27 {
+
+namespace {
+
+/// Part of a cell within the surface, and the sum of the places of its pieces.
+struct Part {
+  double share = 0;
+  Vec3 moment{0, 0, 0};
+};
+
+std::vector<Part> parts_of(Body const& body, int rays) {
+  CellKinds const& kinds = body.solid.kinds;
+  WindowBox const& box = kinds.box();
+  std::vector<Part> parts(kinds.count());
+  std::vector<double> crossings;
+  double const piece = 1.0 / (rays * rays), inverse = 1 / box.h;
+  for (int k = 0; k < box.size[2]; ++k) {
+    for (int j = 0; j < box.size[1]; ++j) {
+      Vec3 const middle = kinds.centre({0, j, k});
+      for (int ray = 0; ray < rays * rays; ++ray) {
+        double const y = middle[1] + ((ray % rays + 0.5) / rays - 0.5) * box.h;
+        double const z = middle[2] + ((ray / rays + 0.5) / rays - 0.5) * box.h;
+        kinds.crossings(j, k, y, z, crossings);
+        for (std::size_t n = 0; n + 1 < crossings.size(); n += 2) {
+          double const from = crossings[n], to = crossings[n + 1];
+          int const last = kinds.cell_of({to, y, z})[0];
+          for (int i = kinds.cell_of({from, y, z})[0]; i <= last; ++i) {
+            double const x = box.lower[0] + (box.first[0] + i) * box.h;
+            double const low = std::max(from, x), high = std::min(to, x + box.h);
+            if (high <= low) continue;
+            Part& p = parts[static_cast<std::size_t>(kinds.index({i, j, k}))];
+            double const w = (high - low) * inverse * piece;
+            p.share += w, p.moment = p.moment + w * Vec3{0.5 * (low + high), y, z};
+          }
+        }
+      }
+    }
+  }
+  return parts;
+}
+
+}  // namespace
+
+BodyIntegrals integrals(Body const& body, int rays) {
+  namespace f = solid_field_of;
+  CellKinds const& kinds = body.solid.kinds;
+  auto const parts = parts_of(body, rays);
+  double const cell = std::pow(kinds.box().h, 3);
+  BodyIntegrals out;
+  out.volume = mass_properties(body.surface).volume;
+  double all = 0, cut = 0;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    all += parts[i].share;
+    if (!kinds.valid(i)) cut += parts[i].share;
+  }
+  double const scale = cut > 0 ? 1 + (out.volume / cell - all) / cut : 1.0;
+  struct Piece {
+    double mass;
+    Vec3 x, u;
+  };
+  std::vector<Piece> pieces;
+  Vec3 first{0, 0, 0};
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (!(parts[i].share > 0)) continue;
+    bool const whole = kinds.valid(i);
+    Vec3 const x = whole ? kinds.centre(kinds.cell(i)) : (1 / parts[i].share) * parts[i].moment;
+    SolidFields const q =
+        whole ? body.solid.states[i] : body.solid.donors.at(x, Donors<SolidFields>::From::valid, body.background);
+    double const m = cell * q[f::rho] * (whole ? 1.0 : scale * parts[i].share);
+    Vec3 const u = velocity_of(q);
+    pieces.push_back({m, x, u});
+    out.mass += m, out.momentum = out.momentum + m * u, first = first + m * x;
+    out.kinetic += 0.5 * m * dot(u, u), out.energy += m * (q[f::e] + 0.5 * dot(u, u));
+  }
+  out.centre = (1 / out.mass) * first;
+  for (Piece const& p : pieces) {
+    Vec3 const r = p.x - out.centre;
+    out.angular = out.angular + p.mass * cross(r, p.u);
+    for (std::size_t a = 0; a < 3; ++a) {
+      for (std::size_t b = a; b < 3; ++b) out.inertia[tensor_place[a][b]] += p.mass * r[a] * r[b];
+    }
+  }
+  return out;
+}
+
+}  // namespace g27
