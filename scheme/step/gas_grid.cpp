@@ -323,6 +323,26 @@ void GasGrid::set_cells(std::function<GasDensities(Int3 const& cell)> const& mea
       time);
 }
 
+void GasGrid::replace(std::span<Int3 const> cells, std::span<GasDensities const> averages) {
+  Impl& m = *impl_;
+  for (std::size_t n = 0; n < cells.size(); ++n) {
+    GasTile& t = m.tiles[static_cast<std::size_t>(m.tiling.at(cells[n]))];
+    GasDensities const& a = averages[n];
+    FiveDensities const q{a.mass, a.momentum[0], a.momentum[1], m.context.dims == 3 ? a.momentum[2] : 0.0, a.energy};
+    if (t.uniform && q == t.state) continue;
+    t.store_state(m.context.dims);
+    t.uniform = false;
+    std::ptrdiff_t const at =
+        t.index(cells[n][0] - t.box.first[0], cells[n][1] - t.box.first[1], cells[n][2] - t.box.first[2]);
+    for (std::size_t d = 0; d < 5; ++d) {
+      if (m.context.dims == 2 && d == 3) continue;
+      t.now[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(d) * t.field + at)] = q[d];
+    }
+    t.rate = std::max(t.rate, m.signal_rate(q));
+    m.rate = std::max(m.rate, t.rate);
+  }
+}
+
 GridStepReport GasGrid::step(double t_end) { return impl_->step(t_end); }
 int GasGrid::dimensions() const noexcept { return impl_->context.dims; }
 Int3 GasGrid::cells() const noexcept { return impl_->setup.cells; }

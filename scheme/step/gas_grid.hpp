@@ -7,6 +7,7 @@
 /// is, bit by bit, that of GasLine.
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "riemann/eos/registry.hpp"
@@ -47,6 +48,10 @@ class GasGrid {
   void set_averages(std::function<GasDensities(Vec3 const& centre, Vec3 const& widths)> const& mean, double time = 0);
   /// The same by the cell's indices: to go on from stored averages.
   void set_cells(std::function<GasDensities(Int3 const& cell)> const& mean, double time = 0);
+
+  /// Other averages of some cells, between two steps: of those beside bodies, which other grids compute. The ledger
+  /// does not count the change. Not of cells in solid blocks.
+  void replace(std::span<Int3 const> cells, std::span<GasDensities const> averages);
 
   /// One step, not beyond t_end; on failure the state is that before the step.
   GridStepReport step(double t_end);

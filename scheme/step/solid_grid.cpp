@@ -202,6 +202,19 @@ void SolidGrid::set_cells(std::function<SolidDensities(Int3 const& cell)> const&
   impl_->set([&](Int3 const& cell) { return vector_of(mean(cell)); }, time);
 }
 
+void SolidGrid::replace(std::span<Int3 const> cells, std::span<SolidDensities const> averages) {
+  Impl& m = *impl_;
+  for (std::size_t n = 0; n < cells.size(); ++n) {
+    SolidTile& t = m.tiles[static_cast<std::size_t>(m.tiling.at(cells[n]))];
+    SolidVector const q = vector_of(averages[n]);
+    FieldRows const to =
+        t.at(t.now, cells[n][0] - t.box.first[0], cells[n][1] - t.box.first[1], cells[n][2] - t.box.first[2]);
+    for (std::size_t d = 0; d < q.size(); ++d) *to[static_cast<int>(d)] = q[d];
+    t.rate = std::max(t.rate, m.signal_rate(q));
+    m.rate = std::max(m.rate, t.rate);
+  }
+}
+
 GridStepReport SolidGrid::step(double t_end) { return impl_->step(t_end); }
 int SolidGrid::dimensions() const noexcept {
   int axes = 0;

@@ -9,6 +9,7 @@
 /// nor on the tiles.
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "riemann/solid/material.hpp"
@@ -41,6 +42,10 @@ class SolidGrid {
   void set_averages(std::function<SolidDensities(Vec3 const& centre, Vec3 const& widths)> const& mean, double time = 0);
   /// The same by the cell's indices: to go on from stored averages.
   void set_cells(std::function<SolidDensities(Int3 const& cell)> const& mean, double time = 0);
+
+  /// Other averages of some cells, between two steps: of those beside the body's surface, which other grids compute.
+  /// The ledger does not count the change.
+  void replace(std::span<Int3 const> cells, std::span<SolidDensities const> averages);
 
   /// One step, not beyond t_end; on failure the state is that before the step.
   GridStepReport step(double t_end);

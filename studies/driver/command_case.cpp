@@ -40,13 +40,19 @@ std::map<std::string, double> values_of(CaseArguments const& a, Case const& chos
     if (equals == std::string::npos) {
       throw InputError("g27 case", "--set", fmt::format("'{}' gives no value", pair), "write --set key=value");
     }
-    std::string const key = names[index_in(names, pair.substr(0, equals), "--set")], text = pair.substr(equals + 1);
+    CaseParameter const& parameter = chosen.parameters[index_in(names, pair.substr(0, equals), "--set")];
+    std::string const text = pair.substr(equals + 1);
     char* end = nullptr;
     double const value = std::strtod(text.c_str(), &end);
     if (text.empty() || *end != 0 || !std::isfinite(value)) {
-      throw InputError("g27 case", "--set " + key, fmt::format("'{}' is not a number", text), "give a number");
+      throw InputError("g27 case", "--set " + parameter.name, fmt::format("'{}' is not a number", text),
+                       "give a number");
     }
-    values[key] = value;
+    if (!(value >= parameter.least && value <= parameter.most)) {
+      throw InputError("g27 case", "--set " + parameter.name, fmt::format("{} is out of range", value),
+                       fmt::format("choose it from {} to {}", parameter.least, parameter.most));
+    }
+    values[parameter.name] = value;
   }
   return values;
 }
@@ -119,7 +125,7 @@ CaseOptions options_of(CaseArguments const& a, Case const& chosen) {
   return options;
 }
 
-nlohmann::ordered_json json_of(CaseResult const& r) {
+nlohmann::ordered_json json_of(CaseResult const& r, std::map<std::string, double> const& set) {
   using Json = nlohmann::ordered_json;
   GridCounters const& c = r.counters;
   Json errors = Json::object();
@@ -133,6 +139,7 @@ nlohmann::ordered_json json_of(CaseResult const& r) {
           {"grid", r.grid},
           {"mesh", r.mesh},
           {"eos", r.eos},
+          {"set", set},
           {"order", r.order},
           {"switch", r.monotonicity},
           {"steps", c.steps},
@@ -155,7 +162,7 @@ nlohmann::ordered_json json_of(CaseResult const& r) {
             {"energy", r.ledger.energy.residual()}}}};
 }
 
-void print_text(Case const& chosen, CaseResult const& r) {
+void print_text(Case const& chosen, CaseResult const& r, std::map<std::string, double> const& set) {
   std::string const cells =
       r.dimensions == 1 ? fmt::format("{}", r.cells) : fmt::format("{}", fmt::join(r.grid, " x "));
   fmt::print("{}\n{}\n\n{} cells, {} mesh, {}, {} scheme, switch {}\n", chosen.title, chosen.source, cells, r.mesh,
@@ -183,6 +190,7 @@ void print_text(Case const& chosen, CaseResult const& r) {
     table.facts.emplace_back("faces in shocks along the grid", static_cast<long>(c.cured));
     table.facts.emplace_back("cell updates left out", static_cast<long>(c.cells_skipped));
   }
+  for (auto const& [name, value] : set) table.facts.emplace_back("set: " + name, value);
   for (auto const& [name, value] : r.facts) table.facts.emplace_back(name, value);
   fmt::print("{}", to_text(table));
 }
@@ -206,11 +214,12 @@ CaseResult run(Case const& chosen, CaseOptions options) {
 
 int command_case(CaseArguments const& arguments) {
   Case const chosen = find_by_name(all_cases(), arguments.name, "g27 case");
-  CaseResult const result = run(chosen, options_of(arguments, chosen));
+  CaseOptions const options = options_of(arguments, chosen);
+  CaseResult const result = run(chosen, options);
   if (arguments.json) {
-    fmt::print("{}\n", json_of(result).dump(2));
+    fmt::print("{}\n", json_of(result, options.values).dump(2));
   } else {
-    print_text(chosen, result);
+    print_text(chosen, result, options.values);
   }
   return 0;
 }

@@ -26,6 +26,7 @@ std::string mesh_text(SceneRun const& run) {
 
 int command_check(CheckArguments const& arguments) {
   Scene const scene = read_scene(find_scene(arguments.scene), arguments.set);
+  require_memory(scene);
   auto const estimates = estimate(scene);
   double seconds = 0, bytes = 0;
   for (RunEstimate const& e : estimates) {

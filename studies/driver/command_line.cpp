@@ -26,6 +26,9 @@ void json_flag(CLI::App* command, bool& json) {
   command->add_flag("--json", json, "print one JSON object on stdout and nothing else there");
 }
 
+/// An empty name would be the current folder.
+std::string not_empty(std::string const& text) { return text.empty() ? "needs the name of a folder" : ""; }
+
 /// Each command shares its arguments with the action that CLI11 keeps.
 template <class Arguments>
 CLI::App* add_command(CLI::App& app, std::string const& name, std::string const& what, int (*command)(Arguments const&),
@@ -39,13 +42,13 @@ void add_run(CLI::App& app, int& status) {
   auto const a = std::make_shared<RunArguments>();
   auto* sub = add_command(app, "run", "run a scene, write its results and judge them", command_run, a, status);
   sub->add_option("scene", a->scene, "path, or name in studies/scenes")->capture_default_str();
-  sub->add_option("--out", a->out, "folder of the results (default: results/SCENE)");
+  sub->add_option("--out", a->out, "folder of the results (default: results/SCENE)")->check(not_empty);
   sub->add_option("--set", a->set, "override a key: domain.cells=400")->allow_extra_args(false);
   sub->add_option("--threads", a->threads, "default: all of the machine")->check(CLI::Range(1, 1024));
   sub->add_flag("--resume", a->resume, "continue from the last checkpoint in the folder");
   sub->add_option("--checkpoint", a->checkpoint_s, "seconds between checkpoints")
       ->capture_default_str()
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::Range(0.0, 1e9));
   sub->add_flag("!--no-figures", a->figures, "draw nothing");
   json_flag(sub, a->json);
 }
@@ -86,7 +89,7 @@ void add_study(CLI::App& app, int& status) {
   auto const a = std::make_shared<StudyArguments>();
   auto* sub = add_command(app, "study", "run a study: table, figure and verdict", command_study, a, status);
   sub->add_option("name", a->name, "see: g27 list studies")->required();
-  sub->add_option("--out", a->out, "folder of the results (default: results/studies/NAME)");
+  sub->add_option("--out", a->out, "folder of the results (default: results/studies/NAME)")->check(not_empty);
   json_flag(sub, a->json);
 }
 
@@ -103,7 +106,7 @@ void add_figure(CLI::App& app, int& status) {
   auto* sub = add_command(app, "figure", "draw a figure from results", command_figure, a, status);
   sub->add_option("name", a->name, "see: g27 list figures")->required();
   sub->add_option("--from", a->from, "HDF5 file or folder of results (default: where the study or scene wrote them)");
-  sub->add_option("--out", a->out, "folder of the figure")->capture_default_str();
+  sub->add_option("--out", a->out, "folder of the figure")->capture_default_str()->check(not_empty);
 }
 
 void add_bench(CLI::App& app, int& status) {

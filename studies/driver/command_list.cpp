@@ -68,6 +68,16 @@ std::vector<Item> items_of(Table const& table, What what) {
   return items;
 }
 
+/// Title, and what --set may change.
+std::string case_text(Case const& c) {
+  std::string text = c.title;
+  for (CaseParameter const& p : c.parameters) {
+    text += fmt::format("{}{} = {:g}{}: {}", &p == c.parameters.data() ? " [--set " : "; ", p.name, p.value,
+                        p.unit == "1" ? "" : " " + p.unit, p.what);
+  }
+  return c.parameters.empty() ? text : text + "]";
+}
+
 struct Kind {
   std::string name;
   std::function<std::vector<Item>()> list;
@@ -75,7 +85,7 @@ struct Kind {
 
 std::vector<Kind> kinds() {
   return {{"scenes", list_scenes},
-          {"cases", [] { return items_of(all_cases(), [](Case const& c) { return c.title; }); }},
+          {"cases", [] { return items_of(all_cases(), case_text); }},
           {"studies", [] { return items_of(all_studies(), [](Study const& s) { return s.claim; }); }},
           {"exact", [] { return items_of(all_oracles(), [](Oracle const& o) { return o.summary; }); }},
           {"eos", list_eos},

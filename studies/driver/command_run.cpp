@@ -1,12 +1,15 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <thread>
 
 #include "studies/driver/atomic_file.hpp"
 #include "studies/driver/command.hpp"
+#include "studies/driver/input_error.hpp"
 #include "studies/driver/python.hpp"
+#include "studies/driver/scene_check.hpp"
 #include "studies/driver/scene_reader.hpp"
 #include "studies/driver/scene_run.hpp"
 #include "studies/driver/table_json.hpp"
@@ -135,6 +138,13 @@ void remove_last_results(std::filesystem::path const& out) {
 int command_run(RunArguments const& arguments) {
   Scene const scene = read_scene(find_scene(arguments.scene), arguments.set);
   std::filesystem::path const out = arguments.out.empty() ? "results/" + scene.name : arguments.out;
+  if (arguments.resume && std::none_of(scene.runs.begin(), scene.runs.end(), [&](SceneRun const& run) {
+        return std::filesystem::exists(out / (run.name + ".h5"));
+      })) {
+    throw InputError("g27 run", "--resume", fmt::format("{} holds no run of this scene", out.string()),
+                     "leave --resume out, or name the folder with --out");
+  }
+  require_memory(scene);
   int const machine = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   fmt::print(stderr, "{}: {} run{} into {}\n", scene.title, scene.runs.size(), scene.runs.size() == 1 ? "" : "s",
              out.string());

@@ -5,7 +5,9 @@
 
 #include "scheme/step/map_line_to_grid.hpp"
 #include "studies/driver/grid_simulate.hpp"
+#include "studies/driver/input_error.hpp"
 #include "studies/driver/simulate.hpp"
+#include "verification/measure/memory.hpp"
 
 namespace g27 {
 namespace {
@@ -67,6 +69,19 @@ void estimate_line(SceneRun const& run, double budget_s, RunEstimate& e) {
 }
 
 }  // namespace
+
+void require_memory(Scene const& scene) {
+  constexpr double quiet_share = 0.9;  // of a scene's tiles, at most, that stay untouched
+  for (SceneRun const& run : scene.runs) {
+    if (!run.grid) continue;
+    double const stored = run.grid->setup.options.skip ? 1 - quiet_share : 1.0;
+    try {
+      require_memory(static_cast<double>(run.cells()), gas_cell_bytes * stored);
+    } catch (std::invalid_argument const& error) {
+      throw InputError(scene.file.string(), "domain.cells", error.what(), "choose fewer cells");
+    }
+  }
+}
 
 std::vector<RunEstimate> estimate(Scene const& scene, double budget_s) {
   std::vector<RunEstimate> out;

@@ -12,6 +12,10 @@ struct RunEstimate {
   double line_steps = 0;                     ///< of a first phase on a line
 };
 
+/// Throws InputError for a grid that cannot fit into the machine: every tile is stored when nothing is skipped; of
+/// quiet scenes most may never be.
+void require_memory(Scene const& scene);
+
 /// Takes the first steps of every run, at most `budget_s` each, and extrapolates. Steps grow or shrink with the sound
 /// speed, so the estimate is good to a factor of about two.
 std::vector<RunEstimate> estimate(Scene const& scene, double budget_s = 0.1);

@@ -51,7 +51,12 @@ Case be_shell_case() {
            .solid = true,
            .eos = {"beryllium"},
            .meshes = {"lagrangian"},
-           .parameters = {{.name = "u0", .value = 619.787, .unit = "m/s", .what = "of the inner wall, inwards"}}};
+           .parameters = {{.name = "u0",
+                           .value = 619.787,
+                           .unit = "m/s",
+                           .what = "of the inner wall, inwards",
+                           .least = 1,
+                           .most = 800}}};
   out.run = [parameters = out.parameters](CaseOptions const& options) {
     SolidMedium const m = solid_medium(options.eos.value_or("beryllium"), true);
     Shell const shell{.inner = 0.08, .outer = 0.10, .rho = m.rho0, .yield = m.exact.yield, .hardening = 0};

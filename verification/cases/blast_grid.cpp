@@ -47,8 +47,9 @@ constexpr double source_share_3d = 1.0 / 32;
 std::vector<CaseParameter> const sedov_parameters{
     {"source_cells", 0, "1",
      "cells along an edge of the cube at the origin where the energy starts; 0: 1 in 2D, cells/32 but at least 1 in "
-     "3D"}};
-std::vector<CaseParameter> const noh_parameters{{"pressure", cold, "Pa", "of the gas that falls in"}};
+     "3D",
+     0}};
+std::vector<CaseParameter> const noh_parameters{{"pressure", cold, "Pa", "of the gas that falls in", 1e-12, 1}};
 
 }  // namespace
 

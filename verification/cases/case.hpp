@@ -2,6 +2,7 @@
 /// A verification case: initial data, exact solution where there is one, and how to run it.
 /// One .cpp a case in this folder (`sod_case.cpp` defines `Case sod_case()`), found by CMake.
 #include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -43,6 +44,7 @@ struct CaseParameter {
   std::string name;
   double value = 0;  ///< unless the options say otherwise
   std::string unit, what;
+  double least = -std::numeric_limits<double>::infinity(), most = std::numeric_limits<double>::infinity();
 };
 
 struct Norms {

@@ -24,7 +24,8 @@ Case flying_plate_case() {
            .solid = true,
            .eos = solid_media(),
            .meshes = {"fixed"},
-           .parameters = {{.name = "velocity", .value = 300, .unit = "m/s", .what = "of the plate"}}};
+           .parameters = {
+               {.name = "velocity", .value = 300, .unit = "m/s", .what = "of the plate", .least = 1, .most = 2000}}};
   out.run = [parameters = out.parameters](CaseOptions const& options) {
     SolidMedium const m = solid_medium(options.eos.value_or("steel"), true);
     double const u = value_of(parameters, options, "velocity");

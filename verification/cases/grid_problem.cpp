@@ -9,6 +9,7 @@
 #include "riemann/eos/factory.hpp"
 #include "verification/cases/grid_run.hpp"
 #include "verification/cases/run_facts.hpp"
+#include "verification/measure/memory.hpp"
 #include "verification/measure/norms.hpp"
 
 namespace g27 {
@@ -127,6 +128,7 @@ CaseResult run_problem(std::string const& name, int cells, GridProblem problem, 
   int const n = options.cells.value_or(cells);
   if (n < 4) throw std::invalid_argument("a case needs at least 4 cells");
   require_end(problem.t_end);
+  require_memory(count_of(grid_cells(problem, n)), gas_cell_bytes);
   GasGrid grid(setup_of(problem, n, options));
   grid.set_averages(problem.initial);
 

@@ -17,6 +17,9 @@ inline void require_end(double t_end) {
   }
 }
 
+/// Of a grid; without overflow.
+inline double count_of(Int3 const& cells) { return 1.0 * cells[0] * cells[1] * cells[2]; }
+
 template <class F>
 void for_each_cell(Int3 const& cells, F const& f) {
   for (int k = 0; k < cells[2]; ++k) {

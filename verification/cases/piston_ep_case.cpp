@@ -64,7 +64,12 @@ Case piston_ep_case() {
            .solid = true,
            .eos = solid_media(),
            .meshes = {"fixed"},
-           .parameters = {{.name = "velocity", .value = 50, .unit = "m/s", .what = "of the impact on the wall"}}};
+           .parameters = {{.name = "velocity",
+                           .value = 50,
+                           .unit = "m/s",
+                           .what = "of the impact on the wall",
+                           .least = 1,
+                           .most = 2000}}};
   out.run = [parameters = out.parameters](CaseOptions const& options) {
     SolidMedium const m = solid_medium(options.eos.value_or("steel"), true);
     double const u_p = value_of(parameters, options, "velocity");

@@ -8,6 +8,7 @@
 #include "verification/cases/grid_problem.hpp"
 #include "verification/cases/grid_run.hpp"
 #include "verification/cases/run_facts.hpp"
+#include "verification/measure/memory.hpp"
 #include "verification/measure/norms.hpp"
 
 namespace g27 {
@@ -132,6 +133,7 @@ CaseResult run_problem(std::string const& name, int cells, SolidProblem const& p
   int const n = options.cells.value_or(cells);
   if (n < 4) throw std::invalid_argument("a case needs at least 4 cells");
   require_end(problem.t_end);
+  require_memory(count_of(cells_of(problem, n)), solid_cell_bytes);
   SolidGrid grid(setup_of(problem, n, options));
   grid.set_averages(problem.initial);
 

@@ -27,8 +27,8 @@ Case solid_rotation_2d_case() {
            .solid = true,
            .eos = {"steel"},
            .meshes = {"fixed"},
-           .parameters = {{"mach", 0.1, "1", "speed of the middle of a side over that of P waves"},
-                          {"turns", 0.25, "1", "revolutions"}}};
+           .parameters = {{"mach", 0.1, "1", "speed of the middle of a side over that of P waves", 1e-3, 0.5},
+                          {"turns", 0.25, "1", "revolutions", 1e-3, 100}}};
   out.run = [parameters = out.parameters](CaseOptions const& options) {
     SolidMedium const m = solid_medium("steel");
     double const size = 1, K = bulk_modulus(m.exact.law, m.rho0, 0.0), T = 0.01 * K;

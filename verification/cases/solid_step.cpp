@@ -122,9 +122,9 @@ Case solid_step_case(std::string const& name, int dimensions) {
            .solid = true,
            .eos = solid_media(),
            .meshes = {"fixed"},
-           .parameters = {{"normal", 1, "1", "part of the step along the normal"},
-                          {"shear", 1, "1", "part of the step across it"},
-                          {"stress", 0, "1", "pre-stress over the bulk modulus"}}};
+           .parameters = {{"normal", 1, "1", "part of the step along the normal", -1, 1},
+                          {"shear", 1, "1", "part of the step across it", -1, 1},
+                          {"stress", 0, "1", "pre-stress over the bulk modulus", -0.1, 0.1}}};
   out.run = [=, parameters = out.parameters](CaseOptions const& options) {
     SolidMedium const m = solid_medium(options.eos.value_or("steel"));
     ObliqueBox const box = dimensions == 1 ? ObliqueBox{{1, 0, 0}, {1, 1, 1}} : oblique_box(dimensions);

@@ -44,7 +44,7 @@ SolidPoint yielding_base(SolidMedium const& m, SolidWaveCase const& c, Vector3 c
 /// Elastic waves of finite amplitude may be of any family.
 std::vector<CaseParameter> parameters_of(SolidWaveCase const& c) {
   if (c.stress == 0 || c.loading != Loading::elastic) return {};
-  return {{"family", static_cast<double>(c.family), "1", "of the wave: 0 P, 1 and 2 S by falling speed"}};
+  return {{"family", static_cast<double>(c.family), "1", "of the wave: 0 P, 1 and 2 S by falling speed", 0, 2}};
 }
 
 int family_of(SolidWaveCase const& c, CaseOptions const& options) {

@@ -32,8 +32,9 @@ Case wilkins_plate_case() {
            .solid = true,
            .eos = {"aluminium"},
            .meshes = {"lagrangian"},
-           .parameters = {{.name = "velocity", .value = 800, .unit = "m/s", .what = "of the flyer"},
-                          {.name = "end", .value = 5e-6, .unit = "s", .what = "time of the profile"}}};
+           .parameters = {
+               {.name = "velocity", .value = 800, .unit = "m/s", .what = "of the flyer", .least = 1, .most = 2000},
+               {.name = "end", .value = 5e-6, .unit = "s", .what = "time of the profile"}}};
   out.run = [parameters = out.parameters](CaseOptions const& options) {
     SolidMedium const m = solid_medium(options.eos.value_or("aluminium"), true);
     double const u = value_of(parameters, options, "velocity");
