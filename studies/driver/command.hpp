@@ -61,6 +61,15 @@ struct BenchArguments {
 };
 int command_bench(BenchArguments const& arguments);
 
+struct StlArguments {
+  std::string file, make, unit;       ///< a file or a shape; unit of the files, empty: metre
+  std::vector<std::string> set;       ///< key=value of the shape
+  std::string density, cell, remesh;  ///< quantities, or empty
+  std::string repair_out, out;        ///< files to write, or empty
+  bool json = false;
+};
+int command_stl(StlArguments const& arguments);
+
 struct ListArguments {
   std::string kind;  ///< empty: everything
   bool json = false;

@@ -125,6 +125,22 @@ void add_list(CLI::App& app, int& status) {
   json_flag(sub, a->json);
 }
 
+void add_stl(CLI::App& app, int& status) {
+  auto const a = std::make_shared<StlArguments>();
+  auto* sub = add_command(app, "stl", "examine, repair, remesh or make the surface of a body", command_stl, a, status);
+  auto* file = sub->add_option("file", a->file, "STL file, binary or ASCII");
+  sub->add_option("--make", a->make, "box, cube, cylinder, disc, plate, sphere or tetrahedron instead of a file")
+      ->excludes(file);
+  sub->add_option("--set", a->set, "a length of the shape: side='1 cm'")->allow_extra_args(false);
+  sub->add_option("--unit", a->unit, "unit of the files' coordinates (default: m; STL files state none)");
+  sub->add_option("--density", a->density, "for mass and inertia: '7.8 g/cm3'");
+  sub->add_option("--cell", a->cell, "cell size of the body's grid, to judge the edges by: '0.07 cm'");
+  sub->add_option("--repair", a->repair_out, "repair what is safe to repair and write this file");
+  sub->add_option("--remesh", a->remesh, "mesh anew with edges of this length: '0.07 cm'");
+  sub->add_option("--out", a->out, "file of the shape made, or of the surface remeshed");
+  json_flag(sub, a->json);
+}
+
 void add_test(CLI::App& app) {
   auto* sub = app.add_subcommand("test", "build and run the tests: ./g27 test [arguments of ctest]");
   sub->allow_extras();
@@ -153,6 +169,7 @@ int run_program(int argc, char** argv) {
   add_figure(app, status);
   add_bench(app, status);
   add_list(app, status);
+  add_stl(app, status);
   add_test(app);
   try {
     app.parse(argc, argv);

@@ -4,13 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fsi/surface/vec3.hpp"
 #include "studies/driver/scene_grid_parts.hpp"
 
 namespace g27 {
 namespace {
-
-double length(Vec3 const& v) { return std::hypot(v[0], v[1], v[2]); }
-Vec3 operator-(Vec3 const& a, Vec3 const& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
 void set_box(GridRegion& region, Section const& section, int dimensions) {
   auto const extent = section.intervals("extent", dimension::length);

@@ -31,7 +31,7 @@ for option in sorted(set(re.findall(r"`(--[a-z]+)", text))):
     if not any(option in subprocess.run([program, c, "--help"], capture_output=True, text=True).stdout
                for c in listed):
         problems.append(f"no command has the option {option}")
-for path in sorted(set(re.findall(r"`((?:riemann|scheme|verification|studies|tests)(?:/[a-z_.]+)*)`", text))):
+for path in sorted(set(re.findall(r"`((?:riemann|scheme|fsi|verification|studies|tests)(?:/[a-z_.]+)*)`", text))):
     if not (root / path).exists():
         problems.append(f"{path} does not exist")
 for name in ("tnt-rdx-sphere",):
