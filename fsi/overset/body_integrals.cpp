@@ -75,6 +75,12 @@ BodyIntegrals integrals(Body const& body, int rays) {
     Vec3 const u = velocity_of(q);
     pieces.push_back({m, x, u});
     out.mass += m, out.momentum = out.momentum + m * u, first = first + m * x;
+    double const K =
+        std::visit([&](auto const& eos) { return eos.bulk_modulus(q[f::rho], q[f::p]); }, body.setup.material.eos);
+    double squares = 0;
+    for (std::size_t c = 0; c < 6; ++c) squares += (c < 3 ? 1 : 2) * q[f::S + c] * q[f::S + c];
+    double const shear = body.setup.material.mu > 0 ? squares / (4 * body.setup.material.mu) : 0.0;
+    out.strain += m / q[f::rho] * (0.5 * q[f::p] * q[f::p] / K + shear);
     out.kinetic += 0.5 * m * dot(u, u), out.energy += m * (q[f::e] + 0.5 * dot(u, u));
   }
   out.centre = (1 / out.mass) * first;

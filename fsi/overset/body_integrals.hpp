@@ -9,6 +9,7 @@ struct BodyIntegrals {
   Vec3 centre{0, 0, 0};             ///< of mass [m]
   Vec3 momentum{0, 0, 0};           ///< [N s]
   Vec3 angular{0, 0, 0};            ///< about the centre of mass [N m s]
+  double strain = 0;                ///< elastic energy, p^2/(2 K) + S:S/(4 mu) [J]
   double energy = 0, kinetic = 0;   ///< total, and its kinetic part [J]
   std::array<double, 6> inertia{};  ///< second moments of mass about the centre, xx yy zz xy xz yz [kg m^2]
 };

@@ -1,0 +1,159 @@
+// Properties of the overset grids around bodies.
+#include <cmath>
+#include <random>
+
+#include "fsi/ale/model_problem.hpp"
+#include "fsi/overset/donors.hpp"
+#include "fsi/surface/shapes.hpp"
+#include "studies/driver/lookup.hpp"
+#include "tests/catch.hpp"
+#include "verification/cases/case.hpp"
+
+using namespace g27;
+
+namespace {
+
+WindowBox box_of(int n, double h) {
+  return {.lower = {-0.5 * n * h, -0.5 * n * h, -0.5 * n * h},
+          .h = h,
+          .grid = {n, n, n},
+          .first = {0, 0, 0},
+          .size = {n, n, n}};
+}
+
+CaseResult drift(double body, double speed, double gap, int steps) {
+  CaseOptions o;
+  o.cells = 16, o.threads = 2;
+  o.values = {{"body", body}, {"speed", speed}, {"gap", gap}, {"steps", static_cast<double>(steps)}};
+  return find_by_name(all_cases(), "freestream-bodies", "test").run(o);
+}
+
+}  // namespace
+
+TEST_CASE("points are of the medium exactly where they lie within the polyhedron") {
+  // A sphere's triangles lie within it, and beyond the sphere that their planes touch.
+  double const radius = 1, h = 0.17;
+  TriangleSurface const s = make_sphere(radius, h);
+  double inner = radius;
+  for (std::size_t t = 0; t < s.size(); ++t) inner = std::min(inner, dot(s.centre(t), s.normal(t)));
+  TriangleSurface const* const one = &s;
+  CellKinds in(box_of(20, h), true), out(box_of(20, h), false);
+  in.classify(std::span(&one, 1)), out.classify(std::span(&one, 1));
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> place(-1.3, 1.3);
+  int judged = 0;
+  for (int n = 0; n < 20000; ++n) {
+    Vec3 const x{place(random), place(random), place(random)};
+    CHECK(in.in_medium(x) != out.in_medium(x));
+    double const r = length(x);
+    if (r > inner && r < radius) continue;
+    ++judged;
+    CHECK(in.in_medium(x) == (r <= inner));
+  }
+  CHECK(judged > 10000);
+  // lines through vertices cross one of the triangles around them
+  for (Vec3 const& v : s.vertices) {
+    if (std::fabs(v[0]) > 0.3) CHECK(in.in_medium({0.5 * v[0], v[1], v[2]}));
+  }
+}
+
+TEST_CASE("a cell is deep only if all of its neighbours are whole cells of the medium") {
+  TriangleSurface const s = make_box({1, 1, 1}, 0.11);
+  TriangleSurface const* const one = &s;
+  CellKinds in(box_of(20, 0.1), true);
+  in.classify(std::span(&one, 1));
+  std::size_t deep = 0, valid = 0;
+  for (std::size_t i = 0; i < in.count(); ++i) {
+    deep += in.kind(i) == CellKind::deep ? 1u : 0u, valid += in.valid(i) ? 1u : 0u;
+  }
+  // the sides lie on the cells' faces, which both neighbours touch: 8 whole cells a side are left, and 6 of them deep
+  CHECK(valid == 8 * 8 * 8);
+  CHECK(deep == 6 * 6 * 6);
+}
+
+TEST_CASE("donors give linear fields exactly, and constant ones bit by bit") {
+  TriangleSurface const s = make_sphere(1, 0.2);
+  TriangleSurface const* const one = &s;
+  CellKinds in(box_of(18, 0.15), true);
+  in.classify(std::span(&one, 1)), in.classify(std::span(&one, 1));
+  std::vector<GasFields> linear(in.count()), constant(in.count());
+  // the velocities alone: they may leave the donors' range, by which linear fields are continued
+  auto const field = [](Vec3 const& x) { return GasFields{1, 1 + x[0] - 2 * x[1], 0.5 * x[2], x[0] + x[1] + x[2], 2}; };
+  for (std::size_t i = 0; i < in.count(); ++i)
+    linear[i] = field(in.centre(in.cell(i))), constant[i] = {0.1, 0.2, 0.3, 0.7, 1.1};
+  Donors<GasFields> a(in, linear), b(in, constant);
+  std::vector<CloudPoint<GasFields>> cloud, still;
+  for (std::size_t t = 0; t < s.size(); ++t) {
+    Vec3 const x = s.centre(t) - 0.07 * s.normal(t);
+    cloud.push_back({x, field(x), 0, -1}), still.push_back({x, constant[0], 0, -1});
+  }
+  a.set_cloud(cloud), b.set_cloud(still);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> place(-0.7, 0.7);
+  for (int n = 0; n < 2000; ++n) {
+    Vec3 const x{place(random), place(random), place(random)};
+    if (length(x) > 0.98) continue;
+    GasFields const got = a.at(x, Donors<GasFields>::From::valid, {}), want = field(x);
+    for (std::size_t f = 0; f < got.size(); ++f) CHECK(std::fabs(got[f] - want[f]) < 1e-11);
+    CHECK(b.at(x, Donors<GasFields>::From::valid, {}) == constant[0]);
+  }
+}
+
+TEST_CASE("at a contact of uniform states a model problem gives the exact Riemann solution, in any frame") {
+  // acoustic: the solid's answer is linear and the gas's jump 1e-7, whose second order is below the tolerance
+  IdealGas const gas{1.4};
+  AnySolid const steel{};
+  double const p0 = 1e9, rho = 100, K = 175e9, c = std::sqrt(1.4 * p0 / rho), du = 1e-5 * c;
+  for (double frame : {0.0, 400.0}) {
+    for (Predictor predictor : {Predictor::godunov, Predictor::linear}) {
+      ModelProblems problems(gas, steel, 1e-3, 1e-3, {.predictor = predictor});
+      ModelStencil s{};
+      double const rho_s = 7800 * (1 + p0 / K),
+                   e = steel.eos.index() == 0 ? std::get<BulkModulus>(steel.eos).energy(rho_s, p0) : 0;
+      for (auto& plane : s.gas) {
+        for (auto& row : plane) {
+          for (GasFields& q : row) q = {rho, frame, 0, 0, p0};
+        }
+      }
+      for (auto* cells : {&s.solid, &s.solid_smooth}) {
+        for (auto& plane : *cells) {
+          for (auto& row : plane) {
+            for (SolidFields& q : row) q = {rho_s, frame + du, 0, 0, p0, e};
+          }
+        }
+      }
+      s.velocity = {frame, 0, 0};
+      ModelResult r;
+      problems.solve(std::span(&s, 1), 1e-9, std::span(&r, 1));
+      double const Z = std::sqrt(rho_s * (K * rho_s / 7800 + 4.0 / 3.0 * steel.mu)), Zg = rho * c;
+      // u* = (Z u_s + Zg u_g)/(Z + Zg), p* = p0 + Z Zg/(Z + Zg) du
+      CHECK(r.velocity[0] - frame == Approx(du * Z / (Z + Zg)).epsilon(1e-4));
+      CHECK(r.pressure - p0 == Approx(Z * Zg / (Z + Zg) * du).epsilon(1e-4));
+      CHECK_FALSE(r.failed);
+      CHECK_FALSE(r.first_order);
+    }
+  }
+}
+
+TEST_CASE("a uniform stream carries bodies along and stays uniform") {
+  // round-off alone: 40 steps of sums of about 20 terms
+  for (double body : {0.0, 1.0, 2.0, 3.0}) {
+    CaseResult const r = drift(body, 500, 0.5, 40);
+    CHECK(r.facts.at("cells_travelled") > 0.5);
+    CHECK(r.facts.at("deviation_gas") < 1e-12);
+    CHECK(r.facts.at("deviation_solid") < 1e-12);
+    CHECK(r.facts.at("deviation_surface") < 1e-12);
+    CHECK(r.facts.at("problems_first_order") == 0);
+  }
+}
+
+TEST_CASE("results do not depend on the number of threads") {
+  CaseOptions o;
+  o.cells = 16, o.values = {{"periods", 1}, {"amplitude", 0.01}};
+  Case const breathing = find_by_name(all_cases(), "breathing-sphere", "test");
+  o.threads = 1;
+  CaseResult const one = breathing.run(o);
+  o.threads = 2;
+  CaseResult const two = breathing.run(o);
+  CHECK(one.facts.at("energy_left") == two.facts.at("energy_left"));
+}

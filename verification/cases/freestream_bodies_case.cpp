@@ -1,0 +1,123 @@
+/// Bodies in a uniform stream that carries them along: nothing may happen.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "fsi/surface/shapes.hpp"
+#include "verification/cases/overset_problem.hpp"
+#include "verification/cases/run_facts.hpp"
+#include "verification/cases/solid_media.hpp"
+
+namespace g27 {
+
+namespace {
+
+std::vector<CaseParameter> const parameters{
+    {"body", 0, "1", "0 cube, 1 sphere, 2 tetrahedron, 3 two cubes with a gap", 0, 3},
+    {"speed", 500, "m/s", "of the stream, along (1, 0.6, -0.4)", 0, 3000},
+    {"gap", 1, "1", "between the two cubes, in cells", 0.25, 3},
+    {"steps", 100, "1", "time steps", 1, 100000}};
+
+constexpr double size = 1, edge = 0.4;  ///< of the domain, of the bodies [m]
+
+/// Surfaces about the domain's middle, turned, with edges of a cell.
+std::vector<TriangleSurface> surfaces(int body, double h, double gap) {
+  Vec3 const axis{0.3, 0.5, 1}, middle{0.503, 0.507, 0.493};
+  double const angle = 0.6, small = 0.5 * edge;
+  switch (body) {
+    case 1:
+      return {placed(make_sphere(0.5 * edge, h), axis, angle, middle)};
+    case 2:
+      return {placed(make_tetrahedron(1.5 * edge, h), axis, angle, middle)};
+    case 3: {
+      // side by side along a turned axis
+      Vec3 const apart = {0.5 * (small + gap * h), 0, 0};
+      TriangleSurface a = make_box({small, small, small}, h), b = a;
+      for (Vec3& x : a.vertices) x = x - apart;
+      for (Vec3& x : b.vertices) x = x + apart;
+      return {placed(a, axis, angle, middle), placed(b, axis, angle, middle)};
+    }
+    default:
+      return {placed(make_box({edge, edge, edge}, h), axis, angle, middle)};
+  }
+}
+
+/// Largest deviation from the stream so far, each over its own scale: of gas the pressure over the stream's and the
+/// velocity over the sound speed; of bodies the stress over K, the velocity over the sound speed; of surfaces pressure
+/// and velocity as of gas.
+struct Deviation {
+  double gas = 0, solid = 0, surface = 0;
+};
+
+}  // namespace
+
+Case freestream_bodies_case() {
+  auto const run = [](CaseOptions const& options) {
+    SolidMedium const steel = solid_medium("steel");
+    double const K = 175e9, p = K / 150, rho = steel.rho0 / 10, c = std::sqrt(1.4 * p / rho);
+    int const n = options.cells.value_or(24),
+              body = static_cast<int>(std::lround(value_of(parameters, options, "body")));
+    double const h = size / n, speed = value_of(parameters, options, "speed");
+    Vec3 const u = speed * Vec3{1, 0.6, -0.4};
+    OversetProblem problem;
+    problem.setup.gas = gas_cube(IdealGas{1.4}, size, n);
+    problem.steps = std::lround(value_of(parameters, options, "steps"));
+    problem.gas = [=](Vec3 const&) { return GasPoint{rho, u, p}; };
+    SolidPoint at_rest = solid_state(steel, steel.rho0 * (1 + p / K), u, p);
+    for (TriangleSurface& s : surfaces(body, h, value_of(parameters, options, "gap"))) {
+      BodySetup b{.surface = std::move(s), .material = steel.scheme, .cell = h, .initial = [=](Vec3 const&) {
+                    return at_rest;
+                  }};
+      Box const box = bounding_box(b.surface);
+      // the way of 500 steps at any speed asked for is less than this
+      double const way = 0.15 * size;
+      b.lower = box.lower - Vec3{way, way, way}, b.upper = box.upper + Vec3{way, way, way};
+      problem.setup.bodies.push_back(std::move(b));
+    }
+    auto const most = std::make_shared<Deviation>();
+    problem.after_step = [=](OversetSolver const& solver) {
+      for (auto const& b : solver.bodies()) {
+        for (std::size_t i = 0; i < b->gas.kinds.count(); ++i) {
+          if (!b->gas.kinds.valid(i)) continue;
+          GasFields const& q = b->gas.states[i];
+          most->gas = std::max({most->gas, std::fabs(q[gas_field::p] / p - 1), length(velocity_of(q) - u) / c});
+        }
+        for (std::size_t i = 0; i < b->solid.kinds.count(); ++i) {
+          if (!b->solid.kinds.valid(i)) continue;
+          SolidFields const& q = b->solid.states[i];
+          most->solid = std::max(
+              {most->solid, std::fabs(q[solid_field_of::p] - p) / K, length(velocity_of(q) - u) / steel.sound});
+          for (std::size_t k = 0; k < 6; ++k)
+            most->solid = std::max(most->solid, std::fabs(q[solid_field_of::S + k]) / K);
+        }
+        for (TriangleState const& t : b->triangles) {
+          most->surface = std::max({most->surface, std::fabs(t.pressure / p - 1), length(t.velocity - u) / c});
+        }
+      }
+      return true;
+    };
+    problem.measure = [=](OversetSolver const& solver, CaseResult& r) {
+      r.facts["deviation_gas"] = most->gas, r.facts["deviation_solid"] = most->solid;
+      r.facts["deviation_surface"] = most->surface;
+      r.facts["cells_travelled"] = length(u) * solver.time() / h;
+      double change = 0;
+      for (auto const& b : solver.bodies()) {
+        change = std::max(change,
+                          std::fabs(mass_properties(b->surface).volume / mass_properties(b->setup.surface).volume - 1));
+      }
+      r.facts["volume_change"] = change;
+    };
+    return run_problem("freestream-bodies", 24, std::move(problem), options);
+  };
+  return {.name = "freestream-bodies",
+          .title = "steel bodies carried along by a uniform stream: largest deviation from it",
+          .source = "a uniform flow is an exact solution",
+          .dimensions = 3,
+          .default_cells = 24,
+          .has_reference = false,
+          .meshes = {"overset"},
+          .parameters = parameters,
+          .run = run};
+}
+
+}  // namespace g27
