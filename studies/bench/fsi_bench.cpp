@@ -28,7 +28,7 @@ OversetSetup windy_cube(int cells, Predictor predictor, int threads) {
               .initial = [=](Vec3 const&) {
                 return solid_state(steel, steel.rho0 * (1 + 1e9 / 175e9), {0, 0, 0}, 1e9);
               }};
-  Box const around = bounding_box(b.surface);
+  auto const around = bounding_box(b.surface);
   b.lower = around.lower, b.upper = around.upper;
   s.bodies.push_back(std::move(b));
   s.gas.options.predictor = s.solid_options.predictor = s.local.predictor = predictor;

@@ -68,7 +68,7 @@ Case freestream_bodies_case() {
       BodySetup b{.surface = std::move(s), .material = steel.scheme, .cell = h, .initial = [=](Vec3 const&) {
                     return at_rest;
                   }};
-      Box const box = bounding_box(b.surface);
+      auto const box = bounding_box(b.surface);
       // the way of 500 steps at any speed asked for is less than this
       double const way = 0.15 * size;
       b.lower = box.lower - Vec3{way, way, way}, b.upper = box.upper + Vec3{way, way, way};
