@@ -4,17 +4,21 @@
 
 namespace g27 {
 
-/// Mesh: CGAL::Surface_mesh<Point>. Needs a manifold, consistently oriented surface; throws std::invalid_argument.
+/// Mesh: CGAL::Surface_mesh<Point>; faces in the order of the triangles, without the vertices that none has. Needs a
+/// manifold, consistently oriented surface; throws std::invalid_argument.
 template <class Mesh>
 Mesh to_cgal(TriangleSurface const& surface) {
-  using Vertex = typename Mesh::Vertex_index;
   Mesh mesh;
-  for (Vec3 const& v : surface.vertices) mesh.add_vertex(typename Mesh::Point(v[0], v[1], v[2]));
+  std::vector<typename Mesh::Vertex_index> number(surface.vertices.size(), Mesh::null_vertex());
+  auto vertex = [&](int v) {
+    auto& n = number[static_cast<std::size_t>(v)];
+    Vec3 const& x = surface.at(v);
+    if (n == Mesh::null_vertex()) n = mesh.add_vertex(typename Mesh::Point(x[0], x[1], x[2]));
+    return n;
+  };
   for (auto const& [a, b, c] : surface.triangles) {
-    using Index = typename Mesh::size_type;
-    auto const face =
-        mesh.add_face(Vertex(static_cast<Index>(a)), Vertex(static_cast<Index>(b)), Vertex(static_cast<Index>(c)));
-    if (face == Mesh::null_face()) throw std::invalid_argument("the surface is not manifold");
+    auto const p = vertex(a), q = vertex(b), r = vertex(c);
+    if (mesh.add_face(p, q, r) == Mesh::null_face()) throw std::invalid_argument("the surface is not manifold");
   }
   return mesh;
 }

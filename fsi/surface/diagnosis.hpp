@@ -21,7 +21,7 @@ std::string fault_name(Fault fault);
 /// What to do about it.
 std::string fault_remedy(Fault fault);
 
-struct Finding {
+struct SurfaceFinding {
   Fault fault;
   std::size_t count;           ///< of the edges, vertices, shells or triangles at fault
   std::vector<int> triangles;  ///< that are involved, ascending
@@ -39,15 +39,15 @@ struct DihedralAngles {
 };
 
 struct Diagnosis {
-  std::vector<Finding> findings;
+  std::vector<SurfaceFinding> findings;
   int shells = 0;
   BoundingBox box{};
   EdgeLengths edges;
   DihedralAngles angles;  ///< pi if no two triangles meet at an edge
 
   [[nodiscard]] bool healthy() const noexcept { return findings.empty(); }
-  [[nodiscard]] Finding const* find(Fault fault) const noexcept {
-    for (Finding const& f : findings) {
+  [[nodiscard]] SurfaceFinding const* find(Fault fault) const noexcept {
+    for (SurfaceFinding const& f : findings) {
       if (f.fault == fault) return &f;
     }
     return nullptr;

@@ -93,11 +93,12 @@ std::vector<bool> inward_triangles(TriangleSurface const& surface) {
   CGAL::Polygon_mesh_processing::orient_to_bound_a_volume(mesh);
   std::vector<bool> out;
   for (auto const f : mesh.faces()) {
-    // Whether the corners a, b follow one another as before.
-    auto const& [a, b, c] = surface.triangles[static_cast<std::size_t>(f)];
+    // Whether the corners a, b still follow one another.
+    Point const a = point(surface.corners(static_cast<std::size_t>(f))[0]);
+    Point const b = point(surface.corners(static_cast<std::size_t>(f))[1]);
     bool turned = true;
     for (auto const h : CGAL::halfedges_around_face(mesh.halfedge(f), mesh)) {
-      turned = turned && !(static_cast<int>(mesh.source(h)) == a && static_cast<int>(mesh.target(h)) == b);
+      turned = turned && !(mesh.point(mesh.source(h)) == a && mesh.point(mesh.target(h)) == b);
     }
     out.push_back(turned);
   }

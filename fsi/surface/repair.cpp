@@ -302,7 +302,7 @@ class Repairer {
 
   void turn_outward() {
     Diagnosis const now = diagnose(surface());
-    Finding const* inward = now.find(Fault::inward);
+    SurfaceFinding const* inward = now.find(Fault::inward);
     if (inward == nullptr) return;
     turn({inward->triangles.begin(), inward->triangles.end()}, "turned triangles of inward shells");
   }

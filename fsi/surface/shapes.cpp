@@ -125,7 +125,7 @@ TriangleSurface make_box(Vec3 const& size, double edge) {
     for (int const side : {-1, 1}) {
       auto point = [&](int i, int j, bool centre) {
         Vec3 x{};
-        x[d] = side * 0.5 * size[d];
+        x[d] = side * n[d] * size[d] / (2 * n[d]);  // rounded as on the sides beside
         x[u] = ((centre ? 2 * i + 1 : 2 * i) - n[u]) * size[u] / (2 * n[u]);
         x[v] = ((centre ? 2 * j + 1 : 2 * j) - n[v]) * size[v] / (2 * n[v]);
         return x;

@@ -138,7 +138,7 @@ class StlCommand {
       return;
     }
     // Triangles keep the numbers that they have in the file.
-    for (Finding& f : done.diagnosis.findings) {
+    for (SurfaceFinding& f : done.diagnosis.findings) {
       for (int& t : f.triangles) t = done.origin[static_cast<std::size_t>(t)];
       std::erase(f.triangles, -1);
     }

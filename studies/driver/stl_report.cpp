@@ -20,7 +20,7 @@ std::string list_text(std::vector<int> const& ids) {
   return ids.size() > most ? out + fmt::format(" and {} more", ids.size() - most) : out;
 }
 
-std::string finding_text(Finding const& f) {
+std::string finding_text(SurfaceFinding const& f) {
   return fmt::format("  {}: {}, at triangles {}\n    -> {}\n", fault_name(f.fault), f.count, list_text(f.triangles),
                      fault_remedy(f.fault));
 }
@@ -63,9 +63,9 @@ std::string unit_hint(StlReport const& r) {
   return {};
 }
 
-nlohmann::ordered_json json_of(std::vector<Finding> const& findings) {
+nlohmann::ordered_json json_of(std::vector<SurfaceFinding> const& findings) {
   auto out = nlohmann::ordered_json::array();
-  for (Finding const& f : findings) {
+  for (SurfaceFinding const& f : findings) {
     out.push_back({{"fault", fault_name(f.fault)},
                    {"count", f.count},
                    {"triangles", f.triangles},
@@ -121,7 +121,7 @@ std::string to_text(StlReport const& r) {
   if (auto const hint = unit_hint(r); !hint.empty()) line("hint", hint);
   if (!r.found.empty()) {
     out += "found:\n";
-    for (Finding const& f : r.found)
+    for (SurfaceFinding const& f : r.found)
       out += fmt::format("  {}: {}, at triangles {}\n", fault_name(f.fault), f.count, list_text(f.triangles));
   }
   if (!r.repaired.empty()) {
@@ -138,7 +138,7 @@ std::string to_text(StlReport const& r) {
     out += "healthy: closed, manifold, oriented outward, free of self-intersections\n";
   } else {
     out += "faulty:\n";
-    for (Finding const& f : d.findings) out += finding_text(f);
+    for (SurfaceFinding const& f : d.findings) out += finding_text(f);
   }
   for (std::string const& file : r.written) out += fmt::format("{}\n", file);
   return out;

@@ -21,7 +21,7 @@ struct StlReport {
   std::vector<int> origin;                        ///< [triangles] numbers to name them by
   std::optional<double> density;                  ///< [kg/m^3]
   std::optional<double> cell;                     ///< [m]
-  std::vector<Finding> found;                     ///< before the repair
+  std::vector<SurfaceFinding> found;              ///< before the repair
   std::vector<RepairStep> repaired;               ///< empty unless asked for
   std::optional<double> volume_before_remeshing;  ///< [m^3]
   std::vector<std::string> written;               ///< files

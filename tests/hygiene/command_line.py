@@ -97,6 +97,29 @@ with tempfile.TemporaryDirectory() as folder:
     done = run("run", "sod", "--out", "/dev/null/x", "--no-figures", status=2)
     if "cannot create" not in done.stderr:
         problems.append(f"an impossible folder gives: {done.stderr}")
+    # Surfaces: healthy 0, faulty 1, repaired 0, unreadable or mistaken 2.
+    cube, holed, sound, fine = (pathlib.Path(folder) / f"{n}.stl" for n in ("cube", "holed", "sound", "fine"))
+    made = run_json("stl", "--make", "cube", "--set", "side=1 cm", "--set", "edge=2 mm", "--unit", "cm", "--out", cube)
+    if not made.get("healthy") or abs(made.get("volume", 0) / 1e-6 - 1) > 1e-6:
+        problems.append(f"g27 stl --make cube gives {made}")
+    looked = run_json("stl", cube, "--unit", "cm", "--density", "7.8 g/cm3", "--cell", "2 mm")
+    if abs(looked.get("mass", 0) / 7.8e-3 - 1) > 1e-6 or looked.get("cell", {}).get("share_usable") != 1:
+        problems.append(f"g27 stl of a cube gives {looked}")
+    content = cube.read_bytes()
+    count = int.from_bytes(content[80:84], "little")
+    holed.write_bytes(content[:80] + (count - 1).to_bytes(4, "little") + content[84:-50])
+    faulty = run_json("stl", holed, status=1)
+    if [f["fault"] for f in faulty.get("faults", [])] != ["open edges"] or not faulty["faults"][0]["triangles"]:
+        problems.append(f"g27 stl of a cube with a hole gives {faulty}")
+    repaired = run_json("stl", holed, "--unit", "cm", "--repair", sound, "--remesh", "1 mm", "--out", fine)
+    if not repaired.get("healthy") or not repaired.get("repaired") or not sound.exists() or not fine.exists():
+        problems.append(f"g27 stl --repair gives {repaired}")
+    for wrong in ([holed.with_name("none.stl")], [cube, "--unit", "kg"], [cube, "--cell", "-1 mm"],
+                  ["--make", "cub"], ["--make", "cube", "--set", "side=1 cm"], [cube, "--out", fine]):
+        run("stl", *wrong, status=2)
+    holed.write_bytes(content[:500])
+    if "truncated" not in run("stl", holed, status=2).stderr:
+        problems.append("g27 stl of a truncated file does not say so")
     # A run that cannot go on, the piston reaching the wall: status 1 and a capsule.
     squeeze = pathlib.Path(folder) / "squeeze.toml"
     squeeze.write_text("""title = "squeezed"
