@@ -21,7 +21,7 @@ struct OversetSolver::Impl {
   std::vector<std::unique_ptr<Body>> bodies;
   std::vector<std::vector<ModelProblems>> problems;  ///< [body][thread]
   std::vector<std::vector<ModelResult>> results;     ///< [body][triangle]
-  std::vector<Vec3> impulse;
+  std::vector<BodyMomentum> momenta;
   OversetCounters counters;
   double time = 0, last_dt = 0;
   int threads;
@@ -43,8 +43,8 @@ struct OversetSolver::Impl {
       if (setup.cfl <= 0) setup.cfl = 0.8;
       if (b.material.plastic()) setup.cfl = std::min(setup.cfl, 0.7);
     }
-    impulse.assign(bodies.size(), {0, 0, 0});
     begin();
+    for (auto const& b : bodies) momenta.push_back(momentum_of(*b));
   }
 
   [[nodiscard]] GasFields gas_at(Vec3 const& x) const {
@@ -159,6 +159,22 @@ struct OversetSolver::Impl {
     }
   }
 
+  void close() {
+    for (std::size_t n = 0; n < bodies.size(); ++n) {
+      Body& b = *bodies[n];
+      close_momentum(b, momenta[n]);
+      std::vector<Int3> cells;
+      std::vector<SolidDensities> averages;
+      for (std::size_t i = 0; i < b.solid.kinds.count(); ++i) {
+        if (!b.solid.kinds.valid(i)) continue;
+        cells.push_back(b.solid.kinds.in_grid(b.solid.kinds.cell(i))),
+            averages.push_back(densities_of(b.solid.states[i]));
+      }
+      b.grid.replace(cells, averages);
+    }
+    set_clouds();
+  }
+
   template <class Fields, class Put>
   void fill(Region<Fields>& region, bool started, Fields const& still, std::vector<Int3>& cells, Put const& put) {
     using From = typename Donors<Fields>::From;
@@ -258,10 +274,11 @@ struct OversetSolver::Impl {
       }
     }
     double const solid_done = seconds();
-    for (std::size_t n = 0; n < bodies.size(); ++n) accept(*bodies[n], results[n], dt, impulse[n]);
+    for (std::size_t n = 0; n < bodies.size(); ++n) accept(*bodies[n], results[n], dt, momenta[n]);
     classify();
     double const placed = seconds();
     read_states(false), set_clouds(), write_back(false);
+    if (setup.closure) close();
     double const done = seconds();
     counters.seconds_local += solved - began, counters.seconds_gas += gas_done - solved;
     counters.seconds_solid += solid_done - gas_done, counters.seconds_geometry += placed - solid_done;
@@ -270,7 +287,7 @@ struct OversetSolver::Impl {
     return report;
   }
 
-  void accept(Body& b, std::vector<ModelResult> const& result, double dt, Vec3& given) {
+  void accept(Body& b, std::vector<ModelResult> const& result, double dt, BodyMomentum& held) {
     for (std::size_t n = 0; n < b.triangles.size(); ++n) {
       TriangleState& t = b.triangles[n];
       ModelResult const& r = result[n];
@@ -278,9 +295,9 @@ struct OversetSolver::Impl {
       for (std::size_t k = 0; k < core_layers; ++k) {
         t.gas[k] = out_of_frame(t.frame, r.gas[k]), t.solid[k] = out_of_frame(t.frame, r.solid[k]);
       }
-      given = given - (dt * r.pressure * t.area) * t.frame.n;
       counters.first_order += r.first_order ? 1 : 0, counters.failed += r.failed ? 1 : 0;
     }
+    add_impulse(b, dt, held);
     b.move_vertices(dt);
     b.place_triangles();
   }
@@ -294,6 +311,6 @@ double OversetSolver::time() const noexcept { return impl_->time; }
 GasGrid const& OversetSolver::gas() const noexcept { return impl_->gas; }
 std::vector<std::unique_ptr<Body>> const& OversetSolver::bodies() const noexcept { return impl_->bodies; }
 OversetCounters const& OversetSolver::counters() const noexcept { return impl_->counters; }
-std::vector<Vec3> const& OversetSolver::impulse() const noexcept { return impl_->impulse; }
+std::vector<BodyMomentum> const& OversetSolver::momenta() const noexcept { return impl_->momenta; }
 
 }  // namespace g27

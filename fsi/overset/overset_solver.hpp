@@ -2,7 +2,7 @@
 /// Gas and deforming bodies in three dimensions on overset grids: the step of OG section 5.
 #include <memory>
 
-#include "fsi/overset/body.hpp"
+#include "fsi/overset/closure.hpp"
 
 namespace g27 {
 
@@ -11,6 +11,7 @@ struct OversetSetup {
   std::vector<BodySetup> bodies;
   SolidSchemeOptions solid_options{};
   ModelOptions local{};  ///< of the model problems
+  bool closure = false;  ///< momentum and angular momentum of the bodies are those that the pressures gave them
   double cfl = 0;        ///< 0: chosen, 0.8, or 0.7 with a body that yields
   double growth = 1.2;   ///< of the time step, at most
   double first = 0.1;    ///< of the first time step, over that which is stable
@@ -36,8 +37,8 @@ class OversetSolver {
   [[nodiscard]] GasGrid const& gas() const noexcept;
   [[nodiscard]] std::vector<std::unique_ptr<Body>> const& bodies() const noexcept;
   [[nodiscard]] OversetCounters const& counters() const noexcept;
-  /// Momentum that the gas has given to each body [N s], from the pressures on its triangles.
-  [[nodiscard]] std::vector<Vec3> const& impulse() const noexcept;
+  /// What each body held at the start and what the pressures on its triangles have given it since.
+  [[nodiscard]] std::vector<BodyMomentum> const& momenta() const noexcept;
 
  private:
   struct Impl;

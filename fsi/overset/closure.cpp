@@ -1,0 +1,45 @@
+#include "fsi/overset/closure.hpp"
+
+#include <Eigen/LU>
+
+namespace g27 {
+
+BodyMomentum momentum_of(Body const& body) {
+  BodyIntegrals const now = integrals(body);
+  return {now.momentum, now.angular};
+}
+
+void add_impulse(Body const& body, double dt, BodyMomentum& held) {
+  // about a fixed point the round-off of a body that is carried along would grow with its way
+  Vec3 const centre = mass_properties(body.surface).centroid;
+  for (TriangleState const& t : body.triangles) {
+    Vec3 const push = (-dt * t.pressure * t.area) * t.frame.n;
+    held.linear = held.linear + push, held.angular = held.angular + cross(t.centre - centre, push);
+  }
+}
+
+double close_momentum(Body& body, BodyMomentum const& held) {
+  BodyIntegrals const now = integrals(body);
+  Vec3 const du = (1 / now.mass) * (held.linear - now.momentum), lacking = held.angular - now.angular;
+  auto const& m = now.inertia;
+  Eigen::Matrix3d I;
+  I << m[1] + m[2], -m[3], -m[4], -m[3], m[0] + m[2], -m[5], -m[4], -m[5], m[0] + m[1];
+  Eigen::Vector3d const turn = I.inverse() * Eigen::Vector3d(lacking[0], lacking[1], lacking[2]);
+  Vec3 const omega{turn[0], turn[1], turn[2]};
+  auto const add = [&](SolidFields& q, Vec3 const& x) {
+    Vec3 const v = du + cross(omega, x - now.centre);
+    for (std::size_t a = 0; a < 3; ++a) q[solid_field_of::u + a] += v[a];
+  };
+  CellKinds const& kinds = body.solid.kinds;
+  for (std::size_t i = 0; i < kinds.count(); ++i) {
+    if (kinds.valid(i)) add(body.solid.states[i], kinds.centre(kinds.cell(i)));
+  }
+  for (TriangleState& t : body.triangles) {
+    for (std::size_t k = 0; k < core_layers; ++k) {
+      add(t.solid[k], t.centre - ((static_cast<double>(k) + 0.5) * body.setup.cell) * t.frame.n);
+    }
+  }
+  return length(du);
+}
+
+}  // namespace g27

@@ -1,0 +1,23 @@
+#pragma once
+/// Momentum and angular momentum of a body, kept exactly: what interpolation between its grids loses or gains is put
+/// back as a rigid motion.
+#include "fsi/overset/body_integrals.hpp"
+
+namespace g27 {
+
+/// What the body held at the start and what the gas has given it since.
+struct BodyMomentum {
+  Vec3 linear{0, 0, 0};   ///< [N s]
+  Vec3 angular{0, 0, 0};  ///< about the centre of the volume, which moves [N m s]
+};
+
+BodyMomentum momentum_of(Body const& body);
+
+/// Adds the impulse of the pressures on the triangles over a step of dt [s].
+void add_impulse(Body const& body, double dt, BodyMomentum& held);
+
+/// The velocity field du + omega x (x - centre) that brings the body to what it holds; added to its cells and cores.
+/// Returns |du| [m/s].
+double close_momentum(Body& body, BodyMomentum const& held);
+
+}  // namespace g27

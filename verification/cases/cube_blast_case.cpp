@@ -1,0 +1,91 @@
+/// A steel cube of 1 cm beside a ball of gas at 10 GPa: thrown and crushed.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "fsi/surface/shapes.hpp"
+#include "verification/cases/overset_problem.hpp"
+#include "verification/cases/run_facts.hpp"
+#include "verification/cases/solid_media.hpp"
+
+namespace g27 {
+
+namespace {
+
+std::vector<CaseParameter> const parameters{
+    {"end", 4e-6, "s", "time", 1e-7, 60e-6},
+    {"angle", 0, "rad", "by which the cube is turned about (0.3, 0.5, 1)", 0, 3.2},
+    {"closure", 0, "1", "1: momentum of the body is kept exactly", 0, 1},
+    {"elastic", 0, "1", "1: without yield stress", 0, 1}};
+
+}  // namespace
+
+Case cube_blast_case() {
+  auto const run = [](CaseOptions const& options) {
+    bool const elastic = value_of(parameters, options, "elastic") > 0;
+    SolidMedium const steel = solid_medium("steel", !elastic);
+    // gas of gamma 3 stands for detonation products; its cells are 1.4 times the body's
+    double const edge = 0.01, size = 0.042, ambient = 1e6;
+    int const n = options.cells.value_or(24);
+    double const h = size / n / 1.4;
+    Vec3 const middle{0.022, 0.5 * size + 1.3e-4, 0.5 * size - 1.7e-4}, charge{0.007, 0.5 * size, 0.5 * size};
+    OversetProblem problem;
+    problem.setup.gas = gas_cube(IdealGas{3.0}, size, n);
+    problem.gas = [=](Vec3 const& x) {
+      return length(x - charge) < 0.009 ? GasPoint{1650, {0, 0, 0}, 1e10} : GasPoint{1.3, {0, 0, 0}, ambient};
+    };
+    problem.t_end = value_of(parameters, options, "end");
+    problem.setup.closure = value_of(parameters, options, "closure") > 0;
+    BodySetup body{.surface = placed(make_box({edge, edge, edge}, h), {0.3, 0.5, 1},
+                                     value_of(parameters, options, "angle"), middle),
+                   .material = steel.scheme,
+                   .cell = h,
+                   .initial = [=](Vec3 const&) {
+                     return solid_state(steel, steel.rho0 * (1 + ambient / 175e9), {0, 0, 0}, ambient);
+                   }};
+    double const reach = 0.011;
+    body.lower = middle - Vec3{reach, reach, reach}, body.upper = middle + Vec3{reach + 0.004, reach, reach};
+    problem.setup.bodies.push_back(std::move(body));
+    double const volume = mass_properties(problem.setup.bodies[0].surface).volume;
+    auto const mass = std::make_shared<double>(0);
+    problem.after_step = [=](OversetSolver const& solver) {
+      if (solver.counters().steps == 1) *mass = integrals(*solver.bodies()[0]).mass;
+      return std::fabs(mass_properties(solver.bodies()[0]->surface).volume / volume - 1) < 0.3;
+    };
+    problem.measure = [=](OversetSolver const& solver, CaseResult& r) {
+      Body const& b = *solver.bodies()[0];
+      BodyIntegrals const now = integrals(b);
+      Vec3 const held = solver.momenta()[0].linear;
+      r.facts["velocity"] = now.momentum[0] / now.mass, r.facts["velocity_by_impulse"] = held[0] / *mass;
+      r.facts["momentum_over_impulse"] = now.momentum[0] / held[0] - 1;
+      r.facts["mass_change"] = now.mass / *mass - 1;
+      Vec3 low = b.surface.vertices[0], high = low;
+      for (Vec3 const& x : b.surface.vertices) {
+        for (std::size_t a = 0; a < 3; ++a) low[a] = std::min(low[a], x[a]), high[a] = std::max(high[a], x[a]);
+      }
+      r.facts["thickness"] = (high[0] - low[0]) / edge, r.facts["displacement"] = now.centre[0] - middle[0];
+      double shortest = 1e300, longest = 0;
+      for (std::size_t t = 0; t < b.surface.size(); ++t) {
+        auto const c = b.surface.corners(t);
+        for (std::size_t k = 0; k < 3; ++k) {
+          double const e = length(c[(k + 1) % 3] - c[k]);
+          shortest = std::min(shortest, e), longest = std::max(longest, e);
+        }
+      }
+      r.facts["shortest_edge_in_cells"] = shortest / h, r.facts["longest_edge_in_cells"] = longest / h;
+      r.facts["cells_an_edge"] = edge / h;
+    };
+    return run_problem("cube-blast", 24, std::move(problem), options);
+  };
+  return {.name = "cube-blast",
+          .title = "steel cube of 1 cm beside a ball of gas of 9 mm radius at 10 GPa: momentum against impulse",
+          .source = "momentum is the impulse of the pressures; no exact solution",
+          .dimensions = 3,
+          .default_cells = 24,
+          .has_reference = false,
+          .meshes = {"overset"},
+          .parameters = parameters,
+          .run = run};
+}
+
+}  // namespace g27
