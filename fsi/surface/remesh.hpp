@@ -10,9 +10,10 @@ struct RemeshOptions {
   int iterations = 10;
 };
 
-/// Isotropic remeshing (Botsch and Kobbelt 2004, by CGAL). Sharp edges are first parted into pieces of equal length and
-/// then kept as they are, corners included; the vertices between them slide on the given surface. Needs a healthy
-/// surface; throws SurfaceError if the wanted edges are too many, or too long for the body.
+/// Isotropic remeshing (Botsch and Kobbelt 2004, by CGAL). Sharp edges are divided or joined along themselves, vertices
+/// on them do not slide; those between slide on the given surface. More than 90 % of the edges come out within 0.7
+/// to 1.4 of the length, single ones as short as 0.3 where sharp edges meet. Needs a healthy surface; throws
+/// SurfaceError if more than ten million triangles would be needed.
 TriangleSurface remesh(TriangleSurface const& surface, RemeshOptions const& options);
 
 }  // namespace g27

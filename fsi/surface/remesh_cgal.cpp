@@ -17,6 +17,9 @@ namespace np = CGAL::parameters;
 }  // namespace
 
 TriangleSurface remesh(TriangleSurface const& surface, RemeshOptions const& options) {
+  if (!(mass_properties(surface).area / (0.43 * options.edge * options.edge) < 1e7)) {
+    throw SurfaceError("edges of this length would make more than ten million triangles", "give a longer one");
+  }
   Mesh mesh = to_cgal<Mesh>(surface);
   auto sharp = mesh.add_property_map<Mesh::Edge_index, bool>("e:sharp", false).first;
   pmp::detect_sharp_edges(mesh, options.feature_angle, sharp);

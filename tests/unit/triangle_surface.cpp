@@ -114,7 +114,7 @@ TEST_CASE("made bodies are healthy, their edges in range", "[surface]") {
       CHECK(d.shells == 1);
       auto const [least, most] = edge_range(s, edge);
       CHECK(least >= 0.7);
-      CHECK(most <= 1.2 * (1 + 1e-8));  // a whole number of edges is taken as such to 1e-9
+      CHECK(most <= 1.2 * (1 + 1e-8));               // a whole number of edges is taken as such to 1e-9
       CHECK(s.vertices.size() == s.size() / 2 + 2);  // Euler's polyhedron formula
     }
   }
