@@ -44,7 +44,9 @@ void GasLine::Impl::set_face_speeds(double dt) {
 void GasLine::Impl::fix_boundary_speed(GasBoundary const& b, std::ptrdiff_t f, double dt) noexcept {
   using Kind = GasBoundary::Kind;
   if (b.kind == Kind::piston) line.w[f] = b.velocity(time + 0.5 * dt);
-  if (b.kind == Kind::wall || b.kind == Kind::inflow) line.w[f] = 0.0;
+  // on Lagrangian cells the face of an inflow moves with the gas, as the others do
+  bool const follows = b.kind == Kind::inflow && setup.motion.kind == MeshMotion::Kind::lagrangian;
+  if (b.kind == Kind::wall || (b.kind == Kind::inflow && !follows)) line.w[f] = 0.0;
   if (b.kind == Kind::contact) line.w[f] = (f == 0 ? contacts.left : contacts.right).u;
 }
 
