@@ -2,33 +2,21 @@
 /// Faces of a row that bound the body: outgoing amplitudes extrapolated linearly from two cells (parabolically from
 /// three), then what the boundary gives.
 #include "scheme/kernel/solid_face_loop.hpp"
+#include "scheme/predictor/one_sided.hpp"
 
 namespace g27 {
 
-/// Outgoing amplitude of family k at the face, averaged over what its characteristic sweeps; F0, F1, F2 in the three
-/// cells away from the face, which are b, a, z of `cells`.
-template <class Cells, Lane V>
-G27_INLINE V outgoing(SolidBoundaryArguments const& g, Cells const& cells, V F0, V F1, V F2, V s) noexcept {
-  V const d = cells.gradient(V(F0 - F1), 1), far = cells.gradient(V(F1 - F2), 0), zero(0.0);
-  if (g.predictor == Predictor::godunov) return F0;
-  Mask<V> const monotone = (3.0 * far - d) * d > 0.0 && (3.0 * d - far) * d > 0.0;
-  V slope = d;
-  if (g.predictor == Predictor::parabolic) {
-    V const beyond = 2.0 * d - far, lin = beyond + cells.boundary_weight(s) * (d - beyond);
-    V const sign = select(d < 0.0, V(-1.0), V(1.0));
-    V const bounded = sign * max(zero, min(V(sign * lin), min(V(2.0 * abs(d)), V(4.0 * sign * far))));
-    slope = g.limited ? select(monotone, lin, bounded) : lin;
-  } else if (g.limited) {
-    slope = select(monotone, d, zero);
-  }
-  return F0 + 0.5 * cells.beyond(Mask<V>(false), s) * slope;
-}
+/// What reaches the face: the amplitudes of the outgoing families, and the particle that lies on it.
+template <Lane V>
+struct Outgoing {
+  Triple<V> amplitude;
+  SolidState<V> foot;
+};
 
 template <class Cells, class W, Lane V>
-[[gnu::noinline]] SolidFace<V> boundary_state(SolidBoundaryArguments const& g, Cells const& cells, W const& w,
-                                              SolidFrameRows const& q, SolidFrameRows const* terms,
-                                              SolidState<V> const& at_face, std::ptrdiff_t f,
-                                              Triple<V> const& given) noexcept {
+G27_INLINE Outgoing<V> outgoing(SolidBoundaryArguments const& g, Cells const& cells, W const& w,
+                                SolidFrameRows const& q, SolidFrameRows const* terms, SolidState<V> const& at_face,
+                                std::ptrdiff_t f) noexcept {
   double const nu = g.dt / g.h;
   SolidState<V> const c0 = q.state<V>(f), c1 = q.state<V>(f + g.inward), c2 = q.state<V>(f + 2 * g.inward);
   Triple<V> const u[3] = {w.project(c0.velocity()), w.project(c1.velocity()), w.project(c2.velocity())};
@@ -50,20 +38,33 @@ template <class Cells, class W, Lane V>
   unrolled<3>([&](auto k) G27_INLINE_LAMBDA {
     V const z = w.z[k], swept = max(V(g.side * cells.relative(at_face.u[0]) + w.lambda[k] * w.inv_z[k]), 0.0) * nu;
     auto const F = [&](int i) G27_INLINE_LAMBDA { return V(z * u[i][k] - g.side * s[i][k]); };
-    out[k] = outgoing(g, cells, F(0), F(1), F(2), swept);
+    out[k] = one_sided(g.predictor, g.limited, cells, F(0), F(1), F(2), swept);
     if (terms != nullptr) out[k] += z * tu[k] - g.side * ts[k];
   });
-  Triple<V> face_u, face_s;
-  boundary_face(w, g.kind, g.side, out, given, face_u, face_s);
-  return carry(foot, w.path(w.project(face_s - foot.traction())), face_u, face_s);
+  return {out, foot};
 }
 
-/// The face of the boundary beside cell f of the rows. `terms`: half-step terms, null: none.
+template <class Cells, class W, Lane V>
+[[gnu::noinline]] SolidFace<V> boundary_state(SolidBoundaryArguments const& g, Cells const& cells, W const& w,
+                                              SolidFrameRows const& q, SolidFrameRows const* terms,
+                                              SolidState<V> const& at_face, std::ptrdiff_t f,
+                                              Triple<V> const& given) noexcept {
+  Outgoing<V> const out = outgoing(g, cells, w, q, terms, at_face, f);
+  Triple<V> face_u, face_s;
+  boundary_face(w, g.kind, g.side, out.amplitude, given, face_u, face_s);
+  return carry(out.foot, w.path(w.project(face_s - out.foot.traction())), face_u, face_s);
+}
+
+/// The state at the face, extrapolated where the normal stress is monotone, with rho c^2 and f there.
+template <Lane V>
+struct BoundaryState {
+  SolidState<V> state;
+  FrozenSolid<V> frozen;
+};
+
 template <class Cells, Lane V>
-G27_INLINE SolidFace<V> solid_boundary_face(SolidBoundaryArguments const& g, Cells const& cells,
-                                            SolidFrameRows const& q, SolidFrameRows const* terms, std::ptrdiff_t f,
-                                            Triple<V> const& given) noexcept {
-  // the state at the face: extrapolated where the normal stress is monotone
+G27_INLINE BoundaryState<V> extrapolated_state(SolidBoundaryArguments const& g, Cells const& cells,
+                                               SolidFrameRows const& q, std::ptrdiff_t f) noexcept {
   SolidState<V> const c0 = q.state<V>(f), c1 = q.state<V>(f + g.inward), c2 = q.state<V>(f + 2 * g.inward);
   V const d = cells.gradient(V(c0.traction()[0] - c1.traction()[0]), 1), zero(0.0);
   V const far = cells.gradient(V(c1.traction()[0] - c2.traction()[0]), 0);
@@ -75,14 +76,23 @@ G27_INLINE SolidFace<V> solid_boundary_face(SolidBoundaryArguments const& g, Cel
     share = select(monotone, share, zero);
   auto const extrapolated = [&](V a, V b)
                                 G27_INLINE_LAMBDA { return V(a + share * cells.own(Mask<V>(false), V(a - b))); };
-  SolidState<V> at_face;
-  at_face.rho = extrapolated(c0.rho, c1.rho), at_face.p = extrapolated(c0.p, c1.p);
-  at_face.e = extrapolated(c0.e, c1.e), at_face.ep = max(extrapolated(c0.ep, c1.ep), 0.0);
-  unrolled<3>([&](auto k) G27_INLINE_LAMBDA { at_face.u[k] = extrapolated(c0.u[k], c1.u[k]); });
-  unrolled<6>([&](auto k) G27_INLINE_LAMBDA { at_face.S[k] = extrapolated(c0.S[k], c1.S[k]); });
+  SolidState<V> s;
+  s.rho = extrapolated(c0.rho, c1.rho), s.p = extrapolated(c0.p, c1.p);
+  s.e = extrapolated(c0.e, c1.e), s.ep = max(extrapolated(c0.ep, c1.ep), 0.0);
+  unrolled<3>([&](auto k) G27_INLINE_LAMBDA { s.u[k] = extrapolated(c0.u[k], c1.u[k]); });
+  unrolled<6>([&](auto k) G27_INLINE_LAMBDA { s.S[k] = extrapolated(c0.S[k], c1.S[k]); });
   auto const at = [&](int field)
                       G27_INLINE_LAMBDA { return extrapolated(q.at<V>(field, f), q.at<V>(field, f + g.inward)); };
-  FrozenSolid<V> const frozen_at = frozen(at_face, V(at(solid_cell::K)), V(at(solid_cell::f)), g.strength.mu);
+  return {s, frozen(s, V(at(solid_cell::K)), V(at(solid_cell::f)), g.strength.mu)};
+}
+
+/// The face of the boundary beside cell f of the rows. `terms`: half-step terms, null: none.
+template <class Cells, Lane V>
+G27_INLINE SolidFace<V> solid_boundary_face(SolidBoundaryArguments const& g, Cells const& cells,
+                                            SolidFrameRows const& q, SolidFrameRows const* terms, std::ptrdiff_t f,
+                                            Triple<V> const& given) noexcept {
+  SolidState<V> const c0 = q.state<V>(f);
+  auto const [at_face, frozen_at] = extrapolated_state<Cells, V>(g, cells, q, f);
   SolidFace<V> face = boundary_state(g, cells, ElasticWaves<V>(frozen_at), q, terms, at_face, f, given);
   if (g.plastic) {
     if (g.tangent) {

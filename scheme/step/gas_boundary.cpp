@@ -1,10 +1,14 @@
 #include "scheme/step/gas_boundary.hpp"
 
+#include <cmath>
+
 #include "scheme/step/gauss.hpp"
 
 namespace g27 {
 
 namespace {
+
+constexpr double extended_change = 0.5;  ///< of density and margin, that the gas beyond a contact may have more or less
 
 void set_inflow(GasLineSetup const& setup, GasBoundary const& b, double x0, double x1, double t, GasCells& cells,
                 std::ptrdiff_t ghost) {
@@ -19,6 +23,25 @@ void set_inflow(GasLineSetup const& setup, GasBoundary const& b, double x0, doub
       [&](auto const& eos) {
         cells.K[ghost] = eos.bulk_modulus(mean.rho, mean.p);
         cells.margin[ghost] = eos.pressure_margin(mean.rho, mean.p);
+      },
+      setup.eos);
+}
+
+/// The gas beyond a contact, as if it went on: linear, or uniform where that takes away half of the density or most of
+/// the pressure's margin.
+void extend(GasLineSetup const& setup, Line const& line, GasCells& cells, std::ptrdiff_t ghost, std::ptrdiff_t edge,
+            std::ptrdiff_t next) {
+  double const by = 2.0 * line.h[edge] / (line.h[edge] + line.h[next]);
+  GasState<> const a = cells.state(edge), b = cells.state(next);
+  GasState<> const s{a.rho + by * (a.rho - b.rho), a.u + by * (a.u - b.u), a.p + by * (a.p - b.p)};
+  cells.copy_primitives(ghost, cells, edge);
+  if (!(std::fabs(s.rho - a.rho) <= extended_change * a.rho)) return;
+  std::visit(
+      [&](auto const& eos) {
+        double const margin = eos.pressure_margin(s.rho, s.p);
+        if (!(margin > (1.0 - extended_change) * cells.margin[edge])) return;
+        cells.rho[ghost] = s.rho, cells.u[ghost] = s.u, cells.p[ghost] = s.p;
+        cells.K[ghost] = eos.bulk_modulus(s.rho, s.p), cells.margin[ghost] = margin;
       },
       setup.eos);
 }
@@ -50,6 +73,9 @@ void fill_side(GasLineSetup const& setup, Line const& line, Side const& side, do
         break;
       case Kind::inflow:
         set_inflow(setup, side.boundary, std::min(x, far), std::max(x, far), t, cells, g);
+        break;
+      case Kind::contact:
+        extend(setup, line, cells, g, side.inner[0], side.inner[1]);
         break;
     }
     x = far;
@@ -85,6 +111,10 @@ void fill_mean_ghosts(GasLineSetup const& setup, Line const& line, GasCells cons
         break;
       case Kind::inflow:
         u[ghost] = cells.u[ghost], p[ghost] = cells.p[ghost];
+        break;
+      // averages differ from the values of averages by the same as in the cell beside the contact
+      case Kind::contact:
+        u[ghost] = cells.u[ghost] + u[first] - cells.u[first], p[ghost] = cells.p[ghost] + p[first] - cells.p[first];
         break;
     }
   };

@@ -10,13 +10,15 @@ inline bool is_wall(GasBoundary const& b) noexcept {
   return b.kind == GasBoundary::Kind::wall || b.kind == GasBoundary::Kind::piston;
 }
 
+inline bool is_contact(GasBoundary const& b) noexcept { return b.kind == GasBoundary::Kind::contact; }
+
 /// Speed of the boundary itself at time t [m/s].
 inline double boundary_speed(GasBoundary const& b, double t) {
   return b.kind == GasBoundary::Kind::piston ? b.velocity(t) : 0.0;
 }
 
-/// Fills the ghosts of `cells` at time t: copies (outflow), images in the wall, the partner (periodic), or the given
-/// state averaged over the ghost cell (inflow).
+/// Fills the ghosts of `cells` at time t: copies (outflow), images in the wall, the partner (periodic), the given
+/// state averaged over the ghost cell (inflow), or the gas continued linearly (contact).
 void fill_ghosts(GasLineSetup const& setup, Line const& line, double t, GasCells& cells);
 
 /// The same for averages of velocity and pressure and for dK/dp alone, whose inner cells are set; an inflow's state is

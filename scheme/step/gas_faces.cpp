@@ -215,11 +215,29 @@ std::size_t GasLine::Impl::run_faces(FaceRun const& run, std::ptrdiff_t begin, s
   std::ptrdiff_t const end = begin + static_cast<std::ptrdiff_t>(count);
   if (begin == 0 && is_wall(setup.left)) image_in_wall(run, 0, true, b, 0);
   if (end == cells() + 1 && is_wall(setup.right)) image_in_wall(run, cells(), false, b, count - 1);
+  if (begin == 0 && is_contact(setup.left)) leave_to_contact(0, b, 0);
+  if (end == cells() + 1 && is_contact(setup.right)) leave_to_contact(cells() - 1, b, count - 1);
   std::size_t const failures = solve(run, begin, count, b, out, to);
   if (begin == 0 && is_wall(setup.left)) seal(out, to, line.w[0]);
   if (end == cells() + 1 && is_wall(setup.right))
     seal(out, to + static_cast<std::ptrdiff_t>(count) - 1, line.w[cells()]);
+  if (begin == 0 && is_contact(setup.left)) seal_contact(out, to, contacts.left);
+  if (end == cells() + 1 && is_contact(setup.right))
+    seal_contact(out, to + static_cast<std::ptrdiff_t>(count) - 1, contacts.right);
   return failures;
+}
+
+void GasLine::Impl::leave_to_contact(std::ptrdiff_t cell, FaceProblems& b, std::size_t at) const noexcept {
+  std::ptrdiff_t const i = static_cast<std::ptrdiff_t>(at);
+  GasState<> const s = now.state(cell);
+  b.l_rho[i] = b.r_rho[i] = s.rho, b.l_u[i] = b.r_u[i] = s.u, b.l_p[i] = b.r_p[i] = s.p;
+  b.d_rho[i] = b.d_u[i] = b.d_p[i] = 0.0;
+  b.strong[i] = 1.0;
+}
+
+void GasLine::Impl::seal_contact(GasFaces& out, std::ptrdiff_t f, Contact const& c) noexcept {
+  out.p[f] = c.p;
+  seal(out, f, c.u);
 }
 
 void GasLine::Impl::seal(GasFaces& out, std::ptrdiff_t f, double w) noexcept {

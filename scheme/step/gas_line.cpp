@@ -55,6 +55,11 @@ std::size_t GasLine::Impl::checked_cells(GasLineSetup const& s) {
   if ((s.left.kind == Kind::periodic) != (s.right.kind == Kind::periodic)) {
     throw std::invalid_argument("a periodic boundary needs its partner");
   }
+  MeshMotion::Kind const motion = s.motion.kind;
+  if ((s.left.kind == Kind::contact || s.right.kind == Kind::contact) && motion != MeshMotion::Kind::stretched &&
+      motion != MeshMotion::Kind::lagrangian) {
+    throw std::invalid_argument("a contact moves, and needs a mesh that does: stretched or lagrangian");
+  }
   return s.faces.size() - 1;
 }
 
@@ -141,6 +146,20 @@ void GasLine::set_averages(std::span<GasConserved<> const> averages, double time
 }
 
 StepReport GasLine::step(double t_end) { return impl_->step(t_end); }
+double GasLine::next_dt(double t_end, double shrink) {
+  Impl& m = *impl_;
+  m.prepare();
+  // until it is known a contact moves as the gas beside it
+  m.contacts = {.left = {.u = m.now.u[0]}, .right = {.u = m.now.u[m.cells() - 1]}};
+  return m.choose_dt(t_end, shrink);
+}
+GasState<> GasLine::trace(LineEnd end, double dt) { return impl_->trace(end, dt); }
+StepReport GasLine::attempt(double dt, LineContacts const& contacts) {
+  impl_->contacts = contacts;
+  impl_->set_face_speeds(dt);
+  return impl_->attempt(dt, false);
+}
+void GasLine::accept() { impl_->accept(); }
 std::size_t GasLine::cells() const noexcept { return impl_->n; }
 double GasLine::time() const noexcept { return impl_->time; }
 double GasLine::stable_dt() const noexcept { return impl_->setup.options.cfl / impl_->rate; }

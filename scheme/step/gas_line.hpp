@@ -8,6 +8,7 @@
 
 #include "riemann/eos/registry.hpp"
 #include "scheme/step/gas_options.hpp"
+#include "scheme/step/line_contact.hpp"
 
 namespace g27 {
 
@@ -43,6 +44,17 @@ class GasLine {
 
   /// One step, not beyond t_end; on failure the state is that before the step.
   StepReport step(double t_end);
+
+  // A line with a contact takes these in place of `step`: see line_contact.hpp.
+
+  /// The step that the CFL condition allows, times `shrink`, not beyond t_end [s]; first of all in a step.
+  [[nodiscard]] double next_dt(double t_end, double shrink = 1.0);
+  /// Gas beside the contact at that end in the middle of a step of dt.
+  [[nodiscard]] GasState<> trace(LineEnd end, double dt);
+  /// A step of dt up to the new state; what is not `ok` leaves nothing to accept.
+  StepReport attempt(double dt, LineContacts const& contacts);
+  /// The state that the last attempt left becomes the state.
+  void accept();
 
   [[nodiscard]] std::size_t cells() const noexcept;
   [[nodiscard]] double time() const noexcept;

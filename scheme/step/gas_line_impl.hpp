@@ -38,6 +38,8 @@ struct GasLine::Impl {
   FaceProblems wall_problems[2]{FaceProblems(16), FaceProblems(16)};
   MirrorRow mirror_row;
   double time = 0, rate = 0, largest_density = 0;
+  LineContacts contacts;                        ///< of the step that is tried
+  double attempted_dt = 0, attempted_rate = 0;  ///< of the state in `next`
   GasCounters counters;
   Accumulators initial, boundary, source, floor;
   GasConserved<> scale{0, 0, 0};
@@ -68,6 +70,9 @@ struct GasLine::Impl {
 
   /// Walls stand, pistons move, whatever the mesh does.
   void fix_boundary_speed(GasBoundary const& b, std::ptrdiff_t f, double dt) noexcept;
+
+  /// Speed of an end of the line in the middle of a step from `time`.
+  [[nodiscard]] double end_speed(LineEnd end, double dt) const;
 
   /// The part alpha u/r of a cell's divergence, as the flow through its two faces less the slope of u: from the mean
   /// velocities on the faces, since u/r of the cell itself is unstable in the centre of a sphere above CFL 0.7.
@@ -110,6 +115,12 @@ struct GasLine::Impl {
   std::size_t run_faces(FaceRun const& run, std::ptrdiff_t begin, std::size_t count, FaceProblems& b, GasFaces& out,
                         std::ptrdiff_t to) noexcept;
 
+  /// The face of a contact is solved elsewhere: here its problem is that of one state.
+  void leave_to_contact(std::ptrdiff_t cell, FaceProblems& b, std::size_t at) const noexcept;
+
+  /// The face of a contact takes the pressure and the velocity found.
+  static void seal_contact(GasFaces& out, std::ptrdiff_t f, Contact const& c) noexcept;
+
   /// Nothing passes a wall but its push and its work: exactly, not to round-off.
   static void seal(GasFaces& out, std::ptrdiff_t f, double w) noexcept;
 
@@ -142,6 +153,16 @@ struct GasLine::Impl {
   /// Time step by the CFL condition times `shrink`, with the face speeds that go with it.
   double choose_dt(double t_end, double shrink);
 
+  /// Ghosts and averages of the state, from which a step starts.
+  void prepare();
+
+  /// The state of the gas that the outgoing characteristic brings to an end, half of a step of dt on.
+  [[nodiscard]] GasState<> trace(LineEnd end, double dt);
+
+  /// One attempt at a step of dt with the face speeds set, counters restored where it fails. `last`: whatever signal
+  /// speeds it leaves.
+  StepReport attempt(double dt, bool last);
+
   /// A step, halved and tried again as long as it fails.
   StepReport step(double t_end);
 
@@ -152,7 +173,7 @@ struct GasLine::Impl {
   std::pair<double, double> correct_all(double dt);
 
   /// The new state becomes the state; boundary fluxes and sources go to the ledger.
-  void accept(double dt, double new_rate);
+  void accept();
 };
 
 }  // namespace g27

@@ -45,7 +45,14 @@ struct GasSchemeOptions {
 };
 
 struct GasBoundary {
-  enum class Kind { periodic, wall, outflow, inflow, piston };
+  enum class Kind {
+    periodic,
+    wall,
+    outflow,
+    inflow,
+    piston,
+    contact  ///< another medium, which steps together with the line: line_contact.hpp
+  };
   Kind kind = Kind::outflow;
   /// inflow: the state outside at (x [m], t [s])
   std::function<GasState<>(double x, double t)> state{};

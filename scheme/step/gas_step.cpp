@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "scheme/step/gas_line_impl.hpp"
@@ -24,8 +25,7 @@ void GasLine::Impl::set_face_speeds(double dt) {
       }
       break;
     case Kind::stretched: {
-      double const w_l = boundary_speed(setup.left, time + 0.5 * dt),
-                   w_r = boundary_speed(setup.right, time + 0.5 * dt);
+      double const w_l = end_speed(LineEnd::left, dt), w_r = end_speed(LineEnd::right, dt);
       double const x0 = line.x.front(), length = line.x.back() - x0;
       for (std::ptrdiff_t f = 0; f <= last; ++f) {
         double const share = (line.x[static_cast<std::size_t>(f)] - x0) / length;
@@ -44,7 +44,15 @@ void GasLine::Impl::set_face_speeds(double dt) {
 void GasLine::Impl::fix_boundary_speed(GasBoundary const& b, std::ptrdiff_t f, double dt) noexcept {
   using Kind = GasBoundary::Kind;
   if (b.kind == Kind::piston) line.w[f] = b.velocity(time + 0.5 * dt);
-  if (b.kind == Kind::wall || b.kind == Kind::inflow) line.w[f] = 0.0;
+  // on Lagrangian cells the face of an inflow moves with the gas, as the others do
+  bool const follows = b.kind == Kind::inflow && setup.motion.kind == MeshMotion::Kind::lagrangian;
+  if (b.kind == Kind::wall || (b.kind == Kind::inflow && !follows)) line.w[f] = 0.0;
+  if (b.kind == Kind::contact) line.w[f] = (f == 0 ? contacts.left : contacts.right).u;
+}
+
+double GasLine::Impl::end_speed(LineEnd end, double dt) const {
+  GasBoundary const& b = end == LineEnd::left ? setup.left : setup.right;
+  return is_contact(b) ? contacts.at(end).u : boundary_speed(b, time + 0.5 * dt);
 }
 
 std::size_t GasLine::Impl::first_bad() const noexcept {
@@ -72,39 +80,50 @@ double GasLine::Impl::choose_dt(double t_end, double shrink) {
   return dt;
 }
 
-StepReport GasLine::Impl::step(double t_end) {
+void GasLine::Impl::prepare() {
   fill_ghosts(setup, line, time, now);
   set_averages_of_primitives();
+}
+
+StepReport GasLine::Impl::step(double t_end) {
+  assert(!is_contact(setup.left) && !is_contact(setup.right));
+  prepare();
   double shrink = 1.0;
   StepReport report;
-  for (int attempt = 0; attempt <= most_retries; ++attempt, shrink *= 0.5) {
-    if (attempt > 0) counters.retried += 1;
-    GasCounters const counters_before = counters;
-    Accumulators const floor_before = floor;
+  for (int tried = 0; tried <= most_retries; ++tried, shrink *= 0.5) {
+    if (tried > 0) counters.retried += 1;
     double const dt = choose_dt(t_end, shrink);
     report.dt = dt;
     if (!(dt > 0) || !(time + dt > time)) return {StepStatus::time_step_vanished, 0, dt};
-    bool sound = !moving || line.sweep(dt);
-    report.status = StepStatus::mesh_tangled;
-    double new_rate = 0;
-    if (sound) {
-      sound = try_step(dt, new_rate);
-      report.status = StepStatus::inadmissible_state;
-      report.cell = sound ? 0 : first_bad();
-    }
-    // A step in which a shock forms may have been too long: behind it signals are faster than any were before. They do
-    // outrun the shock itself, so that some excess over 1 is sound.
-    bool const last_try = attempt == most_retries;
-    double const limit = std::max(1.0, 1.6 * setup.options.cfl);
-    if (sound && (last_try || dt * new_rate <= limit)) {
-      accept(dt, new_rate);
-      report.status = StepStatus::ok;
+    report = attempt(dt, tried == most_retries);
+    if (report.status == StepStatus::ok) {
+      accept();
       return report;
     }
-    std::uint64_t const retried = counters.retried;
-    counters = counters_before, counters.retried = retried;
-    floor = floor_before;
   }
+  return report;
+}
+
+StepReport GasLine::Impl::attempt(double dt, bool last) {
+  GasCounters const counters_before = counters;
+  Accumulators const floor_before = floor;
+  StepReport report{.status = StepStatus::mesh_tangled, .cell = 0, .dt = dt};
+  bool sound = !moving || line.sweep(dt);
+  double new_rate = 0;
+  if (sound) {
+    sound = try_step(dt, new_rate);
+    report.status = StepStatus::inadmissible_state;
+    report.cell = sound ? 0 : first_bad();
+  }
+  // A step in which a shock forms may have been too long: behind it signals are faster than any were before. They do
+  // outrun the shock itself, so that some excess over 1 is sound.
+  double const limit = std::max(1.0, 1.6 * setup.options.cfl);
+  if (sound && (last || dt * new_rate <= limit)) {
+    attempted_dt = dt, attempted_rate = new_rate;
+    report.status = StepStatus::ok;
+    return report;
+  }
+  counters = counters_before, floor = floor_before;
   return report;
 }
 
@@ -153,8 +172,9 @@ std::pair<double, double> GasLine::Impl::correct_all(double dt) {
   return {worst, fastest};
 }
 
-void GasLine::Impl::accept(double dt, double new_rate) {
+void GasLine::Impl::accept() {
   std::ptrdiff_t const last = cells();
+  double const dt = attempted_dt;
   double const a0 = curved ? line.area[0] : 1.0, a1 = curved ? line.area[last] : 1.0;
   auto const through = [&](Padded const& f) { return dt * (a0 * f[0] - a1 * f[last]); };
   boundary.add(through(faces.mass), through(faces.momentum), through(faces.energy));
@@ -171,7 +191,7 @@ void GasLine::Impl::accept(double dt, double new_rate) {
     line.advance(dt);
     rate = signal_rate(now, false);
   } else {
-    rate = new_rate;
+    rate = attempted_rate;
   }
   time += dt;
   counters.steps += 1;

@@ -34,6 +34,7 @@ SolidGridSetup SolidGrid::Impl::checked(SolidGridSetup s) {
     for (std::size_t low : {0u, 1u}) {
       SolidBoundary const& b = s.sides[2 * a + low];
       if (b.kind == Kind::inflow && !b.state) throw std::invalid_argument("an inflow needs its state");
+      if (b.kind == Kind::contact) throw std::invalid_argument("a contact bounds lines of cells that move alone");
     }
   }
   if (axes == 0) throw std::invalid_argument("some axis has at least 4 cells");

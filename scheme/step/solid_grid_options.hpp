@@ -44,7 +44,8 @@ struct SolidBoundary {
     traction,  ///< stress on the side, (s_xn, s_yn, s_zn) with n the side's axis, not its outward normal (null: 0)
     free,      ///< no stress
     outflow,   ///< the state continues
-    inflow     ///< state outside
+    inflow,    ///< state outside
+    contact    ///< of lines alone: another medium, which steps together with the line: line_contact.hpp
   };
   Kind kind = Kind::outflow;
   std::function<double(Vec3 const& x, double t)> normal_velocity{};  ///< [m/s]

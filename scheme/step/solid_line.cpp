@@ -27,8 +27,7 @@ SolidLineSetup SolidLine::Impl::checked(SolidLineSetup s) {
   for (SolidBoundary const* b : {&s.left, &s.right}) {
     if (b->kind == Kind::periodic || b->kind == Kind::outflow || b->kind == Kind::inflow) {
       throw std::invalid_argument(
-          "cells that move with the material are bounded by symmetry, wall, fixed, traction or "
-          "free");
+          "cells that move with the material are bounded by symmetry, wall, fixed, traction, free or contact");
     }
   }
   if (s.symmetry != Symmetry::planar && s.faces.front() == 0 && s.left.kind != Kind::symmetry) {
@@ -145,6 +144,13 @@ void SolidLine::set_averages(std::function<SolidDensities(double x0, double x1)>
 }
 
 StepReport SolidLine::step(double t_end) { return impl_->step(t_end); }
+double SolidLine::next_dt(double t_end, double shrink) const { return impl_->choose_dt(t_end, shrink); }
+SolidTrace SolidLine::trace(LineEnd end, double dt) { return impl_->trace(end, dt); }
+StepReport SolidLine::attempt(double dt, LineContacts const& contacts) {
+  impl_->contacts = contacts;
+  return impl_->attempt(dt, false);
+}
+void SolidLine::accept() { impl_->accept(); }
 std::size_t SolidLine::cells() const noexcept { return impl_->n; }
 double SolidLine::time() const noexcept { return impl_->time; }
 std::vector<double> const& SolidLine::faces() const noexcept { return impl_->line.x; }

@@ -12,6 +12,7 @@
 #include <memory>
 #include <vector>
 
+#include "riemann/contact/solid_trace.hpp"
 #include "riemann/solid/material.hpp"
 #include "scheme/step/gas_line.hpp"
 #include "scheme/step/solid_grid.hpp"
@@ -22,7 +23,8 @@ struct SolidLineSetup {
   AnySolid material{};
   std::vector<double> faces{};  ///< [cells + 1] increasing positions [m]; >= 0 in curved symmetry
   Symmetry symmetry = Symmetry::planar;
-  /// symmetry, wall, fixed, traction or free; functions take (x, 0, 0). A symmetric face stands, the others move
+  /// symmetry, wall, fixed, traction, free or contact; functions take (x, 0, 0). A symmetric face stands, the others
+  /// move
   SolidBoundary left{.kind = SolidBoundary::Kind::free}, right{.kind = SolidBoundary::Kind::free};
   SolidSchemeOptions options{};  ///< those that speak of threads, tiles and transverse terms are not used
 };
@@ -42,6 +44,18 @@ class SolidLine {
 
   /// One step, not beyond t_end; on failure the state is that before the step.
   StepReport step(double t_end);
+
+  // A line with a contact takes these in place of `step`: see line_contact.hpp.
+
+  /// The step that the CFL condition allows, times `shrink`, not beyond t_end [s].
+  [[nodiscard]] double next_dt(double t_end, double shrink = 1.0) const;
+  /// Velocity of the surface at that end over the pressure on it, in the middle of a step of dt; along the normal into
+  /// the solid.
+  [[nodiscard]] SolidTrace trace(LineEnd end, double dt);
+  /// A step of dt up to the new state; what is not `ok` leaves nothing to accept.
+  StepReport attempt(double dt, LineContacts const& contacts);
+  /// The state that the last attempt left becomes the state.
+  void accept();
 
   [[nodiscard]] std::size_t cells() const noexcept;
   [[nodiscard]] double time() const noexcept;

@@ -139,33 +139,47 @@ void SolidLine::Impl::inner_faces(double dt) {
   if (last == cells()) face(last).u[0] = 0.0;
 }
 
-void SolidLine::Impl::boundary_face(bool low, double dt) {
-  SolidBoundary const& b = low ? setup.left : setup.right;
-  if (b.kind == SolidBoundary::Kind::symmetry) return;
+RidingCells SolidLine::Impl::cells_at_end(bool low) const {
   std::ptrdiff_t const edge = low ? 0 : cells() - 1, inward = low ? 1 : -1;
   // z a b: away from the boundary to it
   double const h[4]{line.h[edge + 2 * inward], line.h[edge + inward], line.h[edge], line.h[edge]};
-  RidingCells const around(h);
-  SolidBoundaryArguments const g{.faces = 1,
-                                 .inward = inward,
-                                 .axis = 0,
-                                 .side = low ? -1.0 : 1.0,
-                                 .kind = condition_of(b.kind),
-                                 .given = {},
-                                 .cells = cell.rows(),
-                                 .terms = {},
-                                 .dt = dt,
-                                 .h = 1.0 / around.inv_length,
-                                 .strength = strength,
-                                 .plastic = plastic,
-                                 .tangent = setup.options.tangent,
-                                 .predictor = setup.options.predictor,
-                                 .limited = setup.options.monotonicity != Switch::off,
-                                 .out = {}};
-  Vec3 const value = given_value(b, 0, {low ? line.x.front() : line.x.back(), 0, 0}, time, dt);
+  return RidingCells(h);
+}
+
+SolidBoundaryArguments SolidLine::Impl::boundary_arguments(bool low, double dt, RidingCells const& around) {
+  return {.faces = 1,
+          .inward = low ? 1 : -1,
+          .axis = 0,
+          .side = low ? -1.0 : 1.0,
+          .kind = condition_of((low ? setup.left : setup.right).kind),
+          .given = {},
+          .cells = cell.rows(),
+          .terms = {},
+          .dt = dt,
+          .h = 1.0 / around.inv_length,
+          .strength = strength,
+          .plastic = plastic,
+          .tangent = setup.options.tangent,
+          .predictor = setup.options.predictor,
+          .limited = setup.options.monotonicity != Switch::off,
+          .out = {}};
+}
+
+void SolidLine::Impl::boundary_face(bool low, double dt) {
+  SolidBoundary const& b = low ? setup.left : setup.right;
+  if (b.kind == SolidBoundary::Kind::symmetry) return;
+  RidingCells const around = cells_at_end(low);
+  SolidBoundaryArguments const g = boundary_arguments(low, dt, around);
+  Vec3 value = given_value(b, 0, {low ? line.x.front() : line.x.back(), 0, 0}, time, dt);
+  bool const shared = b.kind == SolidBoundary::Kind::contact;
+  Contact const& contact = low ? contacts.left : contacts.right;
+  if (shared) value = {-contact.p, 0, 0};
   SolidFrameRows const q(g.cells, 0, solid_cell::fields), terms(term.rows(), 0, solid_cell::terms);
-  face(low ? 0 : cells()) = solid_boundary_face<RidingCells, double>(g, around, q, hoops > 0 ? &terms : nullptr, edge,
-                                                                     {{value[0], value[1], value[2]}});
+  SolidFace<double>& f = face(low ? 0 : cells());
+  f = solid_boundary_face<RidingCells, double>(g, around, q, hoops > 0 ? &terms : nullptr, low ? 0 : cells() - 1,
+                                               {{value[0], value[1], value[2]}});
+  // the contact's velocity is the surface's at this pressure; from its own solver, so that both media have the same
+  if (shared) f.u[0] = contact.u;
 }
 
 }  // namespace g27

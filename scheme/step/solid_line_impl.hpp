@@ -6,6 +6,7 @@
 
 #include "riemann/state/solid.hpp"
 #include "scheme/grid/line.hpp"
+#include "scheme/predictor/solid_cells.hpp"
 #include "scheme/step/accumulator.hpp"
 #include "scheme/step/row_block.hpp"
 #include "scheme/step/solid_line.hpp"
@@ -37,6 +38,8 @@ struct SolidLine::Impl {
   std::vector<double> speeds;
   RowBlock conserved, cell, new_cell, term;  ///< rows of cells -2 .. n + 1
   double time = 0, rate = 0;
+  LineContacts contacts;                        ///< of the step that is tried
+  double attempted_dt = 0, attempted_rate = 0;  ///< of the state in `next`
   SolidCounters counters;
   std::array<Accumulator, 5> initial, boundary, source;
   std::array<double, 5> scale{};
@@ -59,10 +62,13 @@ struct SolidLine::Impl {
   /// Largest a/h of the cells between the faces x; not finite, or negative, where a state is none. `bad`: that cell.
   [[nodiscard]] double signal_rate(RowBlock& rows, std::vector<double> const& x, std::size_t& bad);
 
+  [[nodiscard]] double choose_dt(double t_end, double shrink) const;
   StepReport step(double t_end);
+  /// One attempt at a step of dt. `last`: whatever signal speeds it leaves.
+  StepReport attempt(double dt, bool last);
   bool try_step(double dt, double& new_rate, StepReport& report);
   void correct(double dt, std::vector<double> const& x_new);
-  void accept(double dt, double new_rate);
+  void accept();
 
   // solid_line_faces.cpp
   void all_faces(double dt);
@@ -71,6 +77,11 @@ struct SolidLine::Impl {
   template <Predictor predictor>
   void inner_faces(double dt);
   void boundary_face(bool low, double dt);
+  [[nodiscard]] RidingCells cells_at_end(bool low) const;
+  [[nodiscard]] SolidBoundaryArguments boundary_arguments(bool low, double dt, RidingCells const& around);
+
+  // solid_trace.cpp
+  [[nodiscard]] SolidTrace trace(LineEnd end, double dt);
 };
 
 }  // namespace g27

@@ -1,5 +1,6 @@
 /// A step of a solid line: faces, corrector, control.
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "riemann/strength/jaumann.hpp"
@@ -86,22 +87,21 @@ bool SolidLine::Impl::try_step(double dt, double& new_rate, StepReport& report) 
   return new_rate > 0;
 }
 
+double SolidLine::Impl::choose_dt(double t_end, double shrink) const {
+  double const left = t_end - time, dt = std::min(shrink * setup.options.cfl / rate, left);
+  return time + dt > t_end - 1e-10 * dt ? left : dt;
+}
+
 StepReport SolidLine::Impl::step(double t_end) {
-  double const left = t_end - time;
+  assert(setup.left.kind != SolidBoundary::Kind::contact && setup.right.kind != SolidBoundary::Kind::contact);
   double shrink = 1.0;
   StepReport report;
-  for (int attempt = 0; attempt <= most_retries; ++attempt, shrink *= 0.5) {
-    double dt = std::min(shrink * setup.options.cfl / rate, left);
-    if (time + dt > t_end - 1e-10 * dt) dt = left;
-    report.dt = dt;
+  for (int tried = 0; tried <= most_retries; ++tried, shrink *= 0.5) {
+    double const dt = choose_dt(t_end, shrink);
     if (!(dt > 0) || !(time + dt > time)) return {StepStatus::time_step_vanished, 0, dt};
-    double new_rate = 0;
-    bool const sound = try_step(dt, new_rate, report);
-    // a step in which a shock forms may have been too long
-    double const limit = std::max(1.0, 1.6 * setup.options.cfl);
-    if (sound && (attempt == most_retries || dt * new_rate <= limit)) {
-      accept(dt, new_rate);
-      report.status = StepStatus::ok, report.cell = 0;
+    report = attempt(dt, tried == most_retries);
+    if (report.status == StepStatus::ok) {
+      accept();
       return report;
     }
     counters.retried += 1;
@@ -109,8 +109,21 @@ StepReport SolidLine::Impl::step(double t_end) {
   return report;
 }
 
-void SolidLine::Impl::accept(double dt, double new_rate) {
+StepReport SolidLine::Impl::attempt(double dt, bool last) {
+  StepReport report{.status = StepStatus::ok, .cell = 0, .dt = dt};
+  double new_rate = 0;
+  bool const sound = try_step(dt, new_rate, report);
+  // a step in which a shock forms may have been too long
+  double const limit = std::max(1.0, 1.6 * setup.options.cfl);
+  if (!sound || !(last || dt * new_rate <= limit)) return report;
+  attempted_dt = dt, attempted_rate = new_rate;
+  report.status = StepStatus::ok, report.cell = 0;
+  return report;
+}
+
+void SolidLine::Impl::accept() {
   std::ptrdiff_t const last = cells();
+  double const dt = attempted_dt;
   double power[2]{};
   for (int side : {0, 1}) {
     SolidFace<double> const& f = face(side == 0 ? 0 : last);
@@ -130,7 +143,7 @@ void SolidLine::Impl::accept(double dt, double new_rate) {
   counters.switched += static_cast<std::uint64_t>(switched), counters.tangent += static_cast<std::uint64_t>(tangents);
   counters.yielded += static_cast<std::uint64_t>(yielded);
   time += dt;
-  rate = new_rate;
+  rate = attempted_rate;
 }
 
 }  // namespace g27

@@ -12,6 +12,7 @@ namespace {
 OracleArguments sufficient(std::string const& name) {
   if (name == "gas-riemann")
     return {{"rho_l", "1"}, {"u_l", "0"}, {"p_l", "1"}, {"rho_r", ".125"}, {"u_r", "0"}, {"p_r", ".1"}};
+  if (name == "gas-solid") return {{"rho", "1"}, {"u", "0"}, {"p", "1e5"}};
   if (name == "isentrope") return {{"rho", "1"}, {"p", "1"}, {"rho_to", "2"}};
   if (name == "taylor-wave") return {{"eos", "ideal"}, {"gamma", "3"}, {"D", "8000"}, {"rho_explosive", "1875"}};
   return {};
@@ -40,9 +41,9 @@ TEST_CASE("every oracle is documented and runs", "[oracle]") {
     }
     CHECK_THROWS_AS(evaluate(oracle, {{"no_such_key", "1"}}), OracleError);
   }
-  for (char const* name :
-       {"gas-riemann", "taylor-wave", "sedov", "noh", "simple-wave", "isentrope", "vortex", "oblique-shock",
-        "elastic-riemann", "ep-piston", "ep-riemann", "blake", "free-vibration", "be-shell", "rigid-rotation"})
+  for (char const* name : {"gas-riemann", "taylor-wave", "sedov", "noh", "simple-wave", "isentrope", "vortex",
+                           "oblique-shock", "elastic-riemann", "ep-piston", "ep-riemann", "blake", "free-vibration",
+                           "be-shell", "rigid-rotation", "gas-solid"})
     CHECK(names.count(name) == 1);
 }
 
