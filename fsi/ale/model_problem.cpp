@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "fsi/ale/gas_side.hpp"
 #include "fsi/ale/solid_side.hpp"
-#include "riemann/gas/wave_curve.hpp"
+#include "riemann/contact/gas_solid.hpp"
 
 namespace g27 {
 
@@ -14,31 +15,16 @@ namespace {
 constexpr int most_responses = 4;         ///< evaluations of the solid's side of the contact
 constexpr double velocity_close = 1e-12;  ///< of the solid's sound speed, at which the contact is found
 
-/// Pressure at which the gas, its velocity along +n raised by a wave, meets a solid that moves with
-/// speed - pressure/impedance.
-template <class E>
-double meet(E const& eos, GasTrace const& gas, double speed, double impedance) {
-  WaveCurve<double, E> curve(eos, GasState<double>{gas.rho, gas.u, gas.p});
-  double const vacuum = eos.vacuum_pressure();
-  // F(q) = velocity of the gas - velocity of the solid grows with q
-  auto const excess_speed = [&](double q, double& rate) {
-    WavePoint<double> const w = curve.at(q, true);
-    rate = w.rate + 1 / impedance;
-    return gas.u + w.jump - speed + (q + vacuum) / impedance;
-  };
-  double low = 0, high = 0, q = curve.excess();
-  for (int i = 0; i < 200; ++i) {
-    double rate = 0;
-    double const F = excess_speed(q, rate);
-    (F < 0 ? low : high) = q;
-    double next = q - F / rate;
-    if (!(next > low)) next = low > 0 ? 0.5 * (low + q) : 1e-3 * q;
-    if (high > 0 && !(next < high)) next = 0.5 * (low + high);
-    bool const close = std::fabs(next - q) <= 1e-14 * q;
-    q = next;
-    if (close || q < 1e-12 * curve.excess()) break;
-  }
-  return std::max(q + vacuum, 0.0);
+/// Pressure at which the gas meets a solid that moves with speed - pressure/impedance; velocities along the normal out
+/// of the solid.
+double meet(AnyEos const& any, GasTrace const& gas, double speed, double impedance) {
+  SolidTrace const solid{.free_velocity = -speed, .impedance = impedance};
+  return std::visit(
+      [&](auto const& eos) {
+        GasSolidContact const r = gas_solid_contact(eos, GasState<>{gas.rho, -gas.u, gas.p}, solid);
+        return r.converged ? r.contact.p : std::numeric_limits<double>::quiet_NaN();
+      },
+      any);
 }
 
 }  // namespace
@@ -93,8 +79,7 @@ struct ModelProblems::Impl {
       std::array<Vec3, lanes> const velocity_before = velocity;
       for (std::size_t lane = 0; lane < lanes; ++lane) {
         double const free = velocity[lane][0] + pressure[lane] / impedance[lane];
-        pressure[lane] =
-            std::visit([&](auto const& eos) { return meet(eos, trace[lane], free, impedance[lane]); }, gas.eos());
+        pressure[lane] = meet(gas.eos(), trace[lane], free, impedance[lane]);
       }
       solid.respond(dt, pressure, first_order, velocity);
       bool done = true;

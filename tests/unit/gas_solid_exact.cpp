@@ -65,7 +65,8 @@ TEST_CASE("a shock of Mach 1.5 against a light solid of constant impedance", "[o
                             {"p", text(p)},   {"rho_s", "10"},    {"K_s", text(10 + 2.0 / 3 * 10)},
                             {"mu_s", "10"},   {"sxx_s", "-1"}};
   OracleRecord const r = run(arguments);
-  CHECK(value(r, "p_star") == Approx(4.390815966).epsilon(2e-10));
+  // in forty digits the pressure is 4.39081596503: the last digit printed is one too high
+  CHECK(value(r, "p_star") == Approx(4.390815965).margin(0.6e-9));
   CHECK(value(r, "u_star") == Approx(0.195768851).epsilon(5e-9));
   arguments["rho_s"] = "1e30";
   CHECK(value(run(arguments), "p_star") == Approx(5.425287356).epsilon(2e-10));
