@@ -140,7 +140,8 @@ Finding oracle_finding() {
   Draw draw;
   double worst = 0;
   for (int i = 0; i < against_oracle; ++i) {
-    GasState<> const gas{draw.between(1000, 2400), draw.between(-1000, 3000), draw.decades(1e10, 1e11)};
+    double const rho = draw.between(1000, 2400);
+    GasState<> const gas{rho, draw.between(-1000, 3000), Jwl{}.cold_pressure(rho) + draw.decades(1e9, 1e11)};
     GasSolid const exact(JwlLaw{}, gas, steel, rest, SolidModel::linear);
     GasSolidContact const r = gas_solid_contact(Jwl{}, gas, elastic_trace(0, 0, Z));
     worst = std::max({worst, std::fabs(r.contact.p / exact.p_star() - 1), std::fabs(r.contact.u / exact.u_star() - 1)});

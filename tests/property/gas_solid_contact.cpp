@@ -95,7 +95,9 @@ TEST_CASE("the contact lies on the gas's wave curve and on the solid's line", "[
     GasState<> const image{p.gas.rho, 2 * r.contact.u - p.gas.u, p.gas.p};
     RiemannStar<> const star = exact_star(p.eos, p.eos, p.gas, image, true);
     double const K = p.z * p.c;
-    CHECK(r.contact.p == Approx(star.p).epsilon(1e-9).margin(1e-11 * K));
+    // both stop where the velocities fit to a part of those that meet
+    double const speeds = p.c + std::fabs(p.gas.u - p.solid.velocity(p.gas.p));
+    CHECK(r.contact.p == Approx(star.p).epsilon(1e-9).margin(1e-12 * p.z * speeds + 1e-11 * K));
     CHECK(r.rho == Approx(star.rho_l).epsilon(1e-9));
     if (std::fabs(r.contact.p - p.gas.p) > 1e-11 * K) CHECK(r.shock == (r.contact.p > p.gas.p));
     CHECK(r.front == r.contact.u);

@@ -63,6 +63,7 @@ Case body_spin_case() {
           .dimensions = 3,
           .default_cells = 20,
           .has_reference = false,
+          .bodies = true,
           .meshes = {"overset"},
           .parameters = parameters,
           .run = run};

@@ -96,6 +96,7 @@ Case breathing_sphere_case() {
           .dimensions = 3,
           .default_cells = 40,
           .has_reference = false,
+          .bodies = true,
           .meshes = {"overset"},
           .parameters = parameters,
           .run = run};

@@ -83,6 +83,7 @@ Case cube_blast_case() {
           .dimensions = 3,
           .default_cells = 24,
           .has_reference = false,
+          .bodies = true,
           .meshes = {"overset"},
           .parameters = parameters,
           .run = run};

@@ -115,6 +115,7 @@ Case freestream_bodies_case() {
           .dimensions = 3,
           .default_cells = 24,
           .has_reference = false,
+          .bodies = true,
           .meshes = {"overset"},
           .parameters = parameters,
           .run = run};

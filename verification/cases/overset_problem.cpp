@@ -37,7 +37,10 @@ void apply(CaseOptions const& options, OversetSetup& s) {
   s.gas.options.threads = s.solid_options.threads = options.threads.value_or(1);
   s.cfl = options.cfl.value_or(0);
   if (options.cfl) s.gas.options.cfl = s.solid_options.cfl = *options.cfl;
-  s.gas.options.skip = options.skip.value_or(true);
+  s.gas.options.riemann = s.local.riemann = options.riemann.value_or(RiemannSolver::fast);
+  s.gas.options.transverse = s.solid_options.transverse = options.transverse.value_or(Transverse::own_cell);
+  s.gas.options.cure = options.cure.value_or(true), s.gas.options.skip = options.skip.value_or(true);
+  s.gas.options.tile = options.tile.value_or(Int3{0, 0, 0});
 }
 
 void add_facts(OversetSolver const& solver, CaseResult& r) {
