@@ -87,7 +87,7 @@ struct Case {
   int dimensions = 1;
   int default_cells = 200;
   bool has_reference = true;
-  bool solid = false;  ///< of the scheme for solids: the variables velocity_x.. and sxx.. beside the gas's
+  bool solid = false;   ///< of the scheme for solids: the variables velocity_x.. and sxx.. beside the gas's
   bool bodies = false;  ///< gas and deforming bodies on overset grids: facts alone, no fields
   std::vector<std::string> eos{"ideal"};  ///< first: the default
   std::vector<std::string> meshes{"uniform", "graded", "alternating", "random", "moving", "moving-random"};
