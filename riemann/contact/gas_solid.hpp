@@ -23,7 +23,7 @@ struct GasSolidContact {
   bool vacuum = false;     ///< the gas does not reach the solid
   bool converged = false;  ///< false: the caller must not use the rest
   int iterations = 0;
-  double residual = 0;  ///< |v(P) - u + jump(P)| over c + |u - v(p)| + |p - p_vac|/Z; 0 in a vacuum
+  double residual = 0;  ///< |v(P) - u + jump(P)| over c + |u - v(p)| + (|p - p_vac| + |P|)/Z; 0 in a vacuum
 };
 
 namespace contact {
@@ -71,7 +71,9 @@ struct GasProblem {
     int iterations = 0;
     for (bool open = true; open && iterations < 100;) {
       WavePoint<double> const point = curve.at(m, true);
-      double const P = p_vacuum + m, f = solid.velocity(P) - gas.u + point.jump, now = std::fabs(f) / scale;
+      double const P = p_vacuum + m, f = solid.velocity(P) - gas.u + point.jump;
+      // a soft solid's velocity is a difference of large ones
+      double const now = std::fabs(f) / (scale + std::fabs(P) * solid.compliance(P));
       bool const better = now < residual;
       if (better) residual = now, best = at(m, point, solid);
       iterations += 1;
