@@ -21,7 +21,7 @@ struct Problem {
 std::vector<Problem> problems() {
   std::vector<int> const line{80, 112, 160, 224, 320}, short_line{32, 48, 64, 96, 128};
   std::vector<int> const plane{48, 64, 96, 128}, space{40, 50, 60, 80}, sources{24, 32, 48, 64},
-      sources_3d{24, 32, 40, 48}, sources_coarse{16, 20, 24, 32};
+      sources_3d{32, 36, 40, 48}, sources_coarse{16, 20, 24, 32};
   std::vector<int> const step{160, 224, 320, 448};
   return {{"waves", "solid-p-1d", 1e-3, line, short_line, {"steel", "aluminium"}},
           {"waves", "solid-s-1d", 1e-3, line, short_line, {"steel", "aluminium"}},
