@@ -12,6 +12,7 @@ namespace {
 constexpr double two_pi = 2 * std::numbers::pi;
 constexpr std::size_t times = 96;      ///< collocation points in a period, even
 constexpr std::size_t masses = 400;    ///< intervals between the contact and the depth
+constexpr std::size_t stage = 20;      ///< intervals between two looks at the steepest wave
 constexpr int velocities = 1000;       ///< intervals of the solid's table on each side of w = 0
 constexpr double least_decay = 1e-10;  ///< of the highest harmonics, over the amplitude
 
@@ -123,9 +124,21 @@ void ElasticPiston::march() {
       out[2 * times + j] = 1 / rho[j];
     }
   };
-  std::vector<double> nodes;
-  for (std::size_t i = 0; i <= masses; ++i) nodes.push_back(-setup_.depth * static_cast<double>(i) / masses);
-  auto const values = solve_ode(slope, start, nodes, 1e-12, 1e-13);
+  // in stages: where a wave steepens the march would take ever smaller steps
+  std::vector<std::vector<double>> values{start};
+  for (std::size_t first = 0; first < masses; first += stage) {
+    std::vector<double> nodes;
+    for (std::size_t i = first; i <= std::min(first + stage, std::size_t{masses}); ++i) {
+      nodes.push_back(-setup_.depth * static_cast<double>(i) / masses);
+    }
+    auto const next = solve_ode(slope, values.back(), nodes, 1e-12, 1e-13);
+    for (auto n = next.begin() + 1; n != next.end(); ++n) values.push_back(*n);
+    std::vector<double> const &end = values.back(), rho(end.begin(), end.begin() + times),
+                              u(end.begin() + times, end.begin() + 2 * times);
+    truncation_ = std::max(high_share(rho), high_share(u));
+    if (!(truncation_ < least_decay))
+      throw NumericsError("a wave is about to break in the gas: give less depth or velocity");
+  }
   std::vector<double> rates(3 * times);
   for (auto const& y : values) {
     slope(0, y.data(), rates.data());
@@ -136,9 +149,6 @@ void ElasticPiston::march() {
     rho_node_.push_back(part(y, 0)), u_node_.push_back(part(y, 1)), x_node_.push_back(part(y, 2));
     rho_rate_.push_back(part(rates, 0)), u_rate_.push_back(part(rates, 1));
   }
-  truncation_ = std::max(high_share(rho_node_.back()), high_share(u_node_.back()));
-  if (!(truncation_ < least_decay))
-    throw NumericsError("a wave is about to break in the gas: give less depth or velocity");
 }
 
 ElasticPiston::Profile ElasticPiston::gas(double t) const {
