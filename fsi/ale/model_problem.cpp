@@ -32,7 +32,6 @@ double meet(AnyEos const& any, GasTrace const& gas, double speed, double impedan
 struct ModelProblems::Impl {
   GasSide gas;
   SolidSide solid;
-  ModelOptions options;
 
   void solve(std::span<ModelStencil const> stencils, double dt, std::span<ModelResult> results, bool first_order) {
     std::array<Vec3, lanes> frame{};
@@ -98,7 +97,7 @@ struct ModelProblems::Impl {
 
 ModelProblems::ModelProblems(AnyEos const& gas, AnySolid const& solid, double gas_width, double solid_width,
                              ModelOptions options)
-    : impl_(new Impl{GasSide(gas, gas_width, options), SolidSide(solid, solid_width, options), options}) {}
+    : impl_(new Impl{GasSide(gas, gas_width, options), SolidSide(solid, solid_width, options)}) {}
 ModelProblems::~ModelProblems() = default;
 ModelProblems::ModelProblems(ModelProblems&&) noexcept = default;
 

@@ -30,6 +30,12 @@ struct TriangleState {
   std::array<Vec3, 2> gradient{};  ///< of the solid's velocity along the frame's a and b [1/s]
 };
 
+/// Centre of a core cell of a triangle's local grid; `width` of its cells along the normal: > 0 in the gas, < 0 in the
+/// solid [m].
+inline Vec3 core_centre(TriangleState const& t, std::size_t layer, double width) noexcept {
+  return t.centre + ((static_cast<double>(layer) + 0.5) * width) * t.frame.n;
+}
+
 /// One medium's cells around a body.
 template <class Fields>
 struct Region {

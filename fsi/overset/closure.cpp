@@ -36,7 +36,7 @@ double close_momentum(Body& body, BodyMomentum const& held) {
   }
   for (TriangleState& t : body.triangles) {
     for (std::size_t k = 0; k < core_layers; ++k) {
-      add(t.solid[k], t.centre - ((static_cast<double>(k) + 0.5) * body.setup.cell) * t.frame.n);
+      add(t.solid[k], core_centre(t, k, -body.setup.cell));
     }
   }
   return length(du);

@@ -15,7 +15,6 @@ class Donors {
   Donors(CellKinds const& kinds, std::vector<Fields> const& states) : kinds_(kinds), states_(states) {}
 
   void set_cloud(std::vector<CloudPoint<Fields>> points);
-  [[nodiscard]] std::vector<CloudPoint<Fields>> const& cloud() const noexcept { return cloud_; }
 
   /// Which cells give.
   enum class From {
@@ -28,8 +27,6 @@ class Donors {
   /// Donors that are valid about a place, collected once for the many points of a local grid.
   class Around {
    public:
-    Around(Donors const& donors, Vec3 const& centre, double radius) { reset(donors, centre, radius); }
-    Around() = default;
     /// For points up to `radius` cells from `centre`.
     void reset(Donors const& donors, Vec3 const& centre, double radius);
     [[nodiscard]] Fields at(Vec3 const& x, Fields const& otherwise) const;

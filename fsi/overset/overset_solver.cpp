@@ -75,9 +75,7 @@ struct OversetSolver::Impl {
       double const h = b->setup.cell, h_gas = gas.widths()[0];
       for (TriangleState& t : b->triangles) {
         for (std::size_t k = 0; k < core_layers; ++k) {
-          double const layer = static_cast<double>(k) + 0.5;
-          t.gas[k] = gas_at(t.centre + layer * h_gas * t.frame.n);
-          t.solid[k] = solid_at(*b, t.centre - layer * h * t.frame.n);
+          t.gas[k] = gas_at(core_centre(t, k, h_gas)), t.solid[k] = solid_at(*b, core_centre(t, k, -h));
         }
         t.velocity = velocity_of(solid_at(*b, t.centre)), t.pressure = t.gas[0][gas_field::p];
       }
@@ -114,12 +112,11 @@ struct OversetSolver::Impl {
         for (std::size_t n = 0; n < other->triangles.size(); ++n) {
           TriangleState const& t = other->triangles[n];
           for (std::size_t k = 0; k < core_layers; ++k) {
-            double const layer = static_cast<double>(k) + 0.5;
-            Vec3 const x = t.centre + layer * h_gas * t.frame.n;
+            Vec3 const x = core_centre(t, k, h_gas);
             if (near(b->gas.kinds, x) && b->gas.kinds.in_medium(x))
               gas_points.push_back({x, t.gas[k], static_cast<int>(n)});
             if (other != b) continue;
-            Vec3 const y = t.centre - layer * b->setup.cell * t.frame.n;
+            Vec3 const y = core_centre(t, k, -b->setup.cell);
             if (k == 0 || b->solid.kinds.in_medium(y)) solid.push_back({y, t.solid[k], static_cast<int>(n)});
           }
         }

@@ -57,16 +57,10 @@ Case body_spin_case() {
     };
     return run_problem("body-spin", 20, std::move(problem), options);
   };
-  return {.name = "body-spin",
-          .title = "steel body that spins in thin gas: angular momentum over that at the start",
-          .source = "angular momentum is kept",
-          .dimensions = 3,
-          .default_cells = 20,
-          .has_reference = false,
-          .bodies = true,
-          .meshes = {"overset"},
-          .parameters = parameters,
-          .run = run};
+  Case out = overset_case("body-spin", "steel body that spins in thin gas: angular momentum over that at the start",
+                          "angular momentum is kept", 20, parameters);
+  out.run = run;
+  return out;
 }
 
 }  // namespace g27

@@ -89,17 +89,13 @@ Case breathing_sphere_case() {
     };
     return run_problem("breathing-sphere", 40, std::move(problem), options);
   };
-  return {.name = "breathing-sphere",
-          .title = "elastic steel sphere in thin gas, swelling and shrinking in its first radial mode: period and loss",
-          .source =
-              "Love, A Treatise on the Mathematical Theory of Elasticity, 4th ed., art. 196: free sphere, radial modes",
-          .dimensions = 3,
-          .default_cells = 40,
-          .has_reference = false,
-          .bodies = true,
-          .meshes = {"overset"},
-          .parameters = parameters,
-          .run = run};
+  Case out = overset_case(
+      "breathing-sphere",
+      "elastic steel sphere in thin gas, swelling and shrinking in its first radial mode: period and loss",
+      "Love, A Treatise on the Mathematical Theory of Elasticity, 4th ed., art. 196: free sphere, radial modes", 40,
+      parameters);
+  out.run = run;
+  return out;
 }
 
 }  // namespace g27

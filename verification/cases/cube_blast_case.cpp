@@ -77,16 +77,11 @@ Case cube_blast_case() {
     };
     return run_problem("cube-blast", 24, std::move(problem), options);
   };
-  return {.name = "cube-blast",
-          .title = "steel cube of 1 cm beside a ball of gas of 9 mm radius at 10 GPa: momentum against impulse",
-          .source = "momentum is the impulse of the pressures; no exact solution",
-          .dimensions = 3,
-          .default_cells = 24,
-          .has_reference = false,
-          .bodies = true,
-          .meshes = {"overset"},
-          .parameters = parameters,
-          .run = run};
+  Case out = overset_case("cube-blast",
+                          "steel cube of 1 cm beside a ball of gas of 9 mm radius at 10 GPa: momentum against impulse",
+                          "momentum is the impulse of the pressures; no exact solution", 24, parameters);
+  out.run = run;
+  return out;
 }
 
 }  // namespace g27

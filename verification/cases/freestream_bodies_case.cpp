@@ -109,16 +109,11 @@ Case freestream_bodies_case() {
     };
     return run_problem("freestream-bodies", 24, std::move(problem), options);
   };
-  return {.name = "freestream-bodies",
-          .title = "steel bodies carried along by a uniform stream: largest deviation from it",
-          .source = "a uniform flow is an exact solution",
-          .dimensions = 3,
-          .default_cells = 24,
-          .has_reference = false,
-          .bodies = true,
-          .meshes = {"overset"},
-          .parameters = parameters,
-          .run = run};
+  Case out =
+      overset_case("freestream-bodies", "steel bodies carried along by a uniform stream: largest deviation from it",
+                   "a uniform flow is an exact solution", 24, parameters);
+  out.run = run;
+  return out;
 }
 
 }  // namespace g27

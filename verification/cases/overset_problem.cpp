@@ -24,6 +24,19 @@ TriangleSurface placed(TriangleSurface surface, Vec3 const& axis, double angle, 
   return surface;
 }
 
+Case overset_case(std::string const& name, std::string const& title, std::string const& source, int cells,
+                  std::vector<CaseParameter> const& parameters) {
+  return {.name = name,
+          .title = title,
+          .source = source,
+          .dimensions = 3,
+          .default_cells = cells,
+          .has_reference = false,
+          .bodies = true,
+          .meshes = {"overset"},
+          .parameters = parameters};
+}
+
 namespace {
 
 void apply(CaseOptions const& options, OversetSetup& s) {

@@ -24,6 +24,10 @@ GasGridSetup gas_cube(AnyEos const& eos, double size, int cells);
 /// The surface turned by `angle` about `axis` (of any length) and moved to `centre`.
 TriangleSurface placed(TriangleSurface surface, Vec3 const& axis, double angle, Vec3 const& centre);
 
+/// A case of this kind; its run is the caller's.
+Case overset_case(std::string const& name, std::string const& title, std::string const& source, int cells,
+                  std::vector<CaseParameter> const& parameters);
+
 /// Sets predictor, switch, CFL number and threads of all grids by the options. Facts of every run: triangles, steps,
 /// model problems redone at first order and kept, us of a triangle's step and its parts of the time.
 CaseResult run_problem(std::string const& name, int cells, OversetProblem problem, CaseOptions const& options);
