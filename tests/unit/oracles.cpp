@@ -13,6 +13,9 @@ OracleArguments sufficient(std::string const& name) {
   if (name == "gas-riemann")
     return {{"rho_l", "1"}, {"u_l", "0"}, {"p_l", "1"}, {"rho_r", ".125"}, {"u_r", "0"}, {"p_r", ".1"}};
   if (name == "gas-solid") return {{"rho", "1"}, {"u", "0"}, {"p", "1e5"}};
+  if (name == "jwl-card")
+    return {{"A", "708.6056e9"}, {"B", "13.16457e9"}, {"C", "1.058238e9"}, {"R1", "4.94"},
+            {"R2", "1.35"},      {"omega", ".28"},    {"rho0", "1650"}};
   if (name == "isentrope") return {{"rho", "1"}, {"p", "1"}, {"rho_to", "2"}};
   if (name == "taylor-wave") return {{"eos", "ideal"}, {"gamma", "3"}, {"D", "8000"}, {"rho_explosive", "1875"}};
   return {};
@@ -43,7 +46,7 @@ TEST_CASE("every oracle is documented and runs", "[oracle]") {
   }
   for (char const* name : {"gas-riemann", "taylor-wave", "sedov", "noh", "simple-wave", "isentrope", "vortex",
                            "oblique-shock", "elastic-riemann", "ep-piston", "ep-riemann", "blake", "free-vibration",
-                           "be-shell", "rigid-rotation", "gas-solid"})
+                           "be-shell", "rigid-rotation", "gas-solid", "jwl-card"})
     CHECK(names.count(name) == 1);
 }
 
@@ -65,6 +68,7 @@ TEST_CASE("inadmissible arguments are errors, not crashes", "[oracle]") {
   CHECK_THROWS_AS(run("simple-wave", {{"t", "100"}}), OracleError);         // broken by then
   CHECK_THROWS_AS(run("simple-wave", {{"amplitude", "10"}}), OracleError);  // reaches a vacuum
   CHECK_THROWS_AS(run("taylor-wave", {{"E0", "1e10"}}), OracleError);       // D and E0
+  CHECK_THROWS_AS(run("jwl-card", {{"D", "7000"}}), OracleError);           // 7587 by the others
   CHECK_THROWS_AS(run("sedov", {{"gamma", "8"}}), OracleError);             // hollow centre
   CHECK_THROWS_AS(run("sedov", {{"symmetry", "toroidal"}}), OracleError);
   CHECK_THROWS_AS(run("noh", {{"speed", "0"}}), OracleError);

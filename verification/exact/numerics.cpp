@@ -3,6 +3,7 @@
 #include <cvode/cvode.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
+#include <gsl/gsl_multiroots.h>
 #include <gsl/gsl_roots.h>
 #include <nvector/nvector_serial.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
@@ -53,6 +54,24 @@ struct Guarded {
   }
 };
 
+struct GuardedSystem {
+  VectorFunction const& f;
+  std::exception_ptr thrown;
+  static int call(gsl_vector const* x, void* self, gsl_vector* y) {
+    auto& guarded = *static_cast<GuardedSystem*>(self);
+    try {
+      guarded.f(x->data, y->data);  // vectors of the solver are contiguous
+      for (std::size_t i = 0; i < y->size; ++i) {
+        if (!std::isfinite(y->data[i])) return GSL_EBADFUNC;
+      }
+      return GSL_SUCCESS;
+    } catch (...) {
+      guarded.thrown = std::current_exception();
+      return GSL_EBADFUNC;
+    }
+  }
+};
+
 struct Ode {
   OdeSlope const& f;
   std::exception_ptr thrown;
@@ -95,6 +114,30 @@ double find_root(ScalarFunction const& f, double lo, double hi) {
     if (std::fabs(b - a) <= std::numeric_limits<double>::min()) break;
   }
   return gsl_root_fsolver_root(solver.get());
+}
+
+std::optional<std::vector<double>> find_roots(VectorFunction const& f, std::vector<double> const& start,
+                                              double tolerance) {
+  QuietGsl const quiet;
+  std::size_t const n = start.size();
+  std::unique_ptr<gsl_multiroot_fsolver, Deleter<gsl_multiroot_fsolver_free>> solver(
+      gsl_multiroot_fsolver_alloc(gsl_multiroot_fsolver_hybrids, n));
+  std::unique_ptr<gsl_vector, Deleter<gsl_vector_free>> x(gsl_vector_alloc(n));
+  std::copy(start.begin(), start.end(), x->data);
+  GuardedSystem guarded{f, {}};
+  gsl_multiroot_function function{&GuardedSystem::call, n, &guarded};
+  int status = gsl_multiroot_fsolver_set(solver.get(), &function, x.get());
+  auto const largest = [&] {
+    double worst = 0;
+    for (std::size_t i = 0; i < n; ++i) worst = std::max(worst, std::fabs(solver->f->data[i]));
+    return worst;
+  };
+  for (int i = 0; i < 200 && status == GSL_SUCCESS && !(largest() <= tolerance); ++i) {
+    status = gsl_multiroot_fsolver_iterate(solver.get());
+  }
+  if (guarded.thrown) std::rethrow_exception(guarded.thrown);
+  if (!(largest() <= tolerance)) return std::nullopt;
+  return std::vector<double>(solver->x->data, solver->x->data + n);
 }
 
 double integrate(ScalarFunction const& f, double a, double b, double tolerance, double scale) {

@@ -1,6 +1,7 @@
 #pragma once
-/// Roots, quadrature and ordinary differential equations for the exact solutions: GSL and CVODE behind three functions.
+/// Roots, quadrature and ordinary differential equations for the exact solutions: GSL and CVODE behind four functions.
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
@@ -15,6 +16,13 @@ using ScalarFunction = std::function<double(double)>;
 
 /// Root of f in [lo, hi], to the last bits of the argument. Brent's method (GSL); f must change sign.
 double find_root(ScalarFunction const& f, double lo, double hi);
+
+/// y = f(x); both as long as the number of unknowns.
+using VectorFunction = std::function<void(double const* x, double* y)>;
+
+/// Root of a system near `start`: Powell's hybrid method (GSL). Nothing where it does not reach |y_i| <= tolerance.
+std::optional<std::vector<double>> find_roots(VectorFunction const& f, std::vector<double> const& start,
+                                              double tolerance = 1e-12);
 
 /// Integral of f over [a, b] to the relative tolerance; adaptive Gauss-Kronrod (GSL). `scale` is a magnitude below
 /// tolerance * scale the integral need not be resolved.
