@@ -14,7 +14,7 @@ constexpr double vacuum_pressure = 1e-12, vacuum_density = 1e-13;  ///< floors, 
 
 std::pair<double, double> GasLine::Impl::correct(double dt, std::ptrdiff_t begin, std::size_t count, GasCells& out,
                                                  std::ptrdiff_t to) const noexcept {
-  bool const sourced = static_cast<bool>(setup.source.mean);
+  bool const sourced = setup.source.mean || burns();
   double const h = line.width();
   UpdateArguments g{.cells = count,
                     .eos = eos,
@@ -92,8 +92,11 @@ void GasLine::Impl::set_sources(double dt) {
 }
 
 bool GasLine::Impl::bad(std::ptrdiff_t i, double share) const noexcept {
-  return !(next.rho[i] > share * now.rho[i]) || !(next.margin[i] > share * now.margin[i]) ||
-         !std::isfinite(next.energy[i]) || !std::isfinite(next.momentum[i]);
+  // unburnt explosive at rest has no pressure margin: it lies below the products' isentropes
+  bool const fresh = burns() && unburnt[static_cast<std::size_t>(i)] > 0;
+  bool const margin = fresh ? next.K[i] > 0 : next.margin[i] > share * now.margin[i];
+  return !(next.rho[i] > share * now.rho[i]) || !margin || !std::isfinite(next.energy[i]) ||
+         !std::isfinite(next.momentum[i]);
 }
 
 void GasLine::Impl::repair(FaceRun const& run, double dt) {
@@ -125,6 +128,7 @@ void GasLine::Impl::repair(FaceRun const& run, double dt) {
       }
     }
     for (std::ptrdiff_t i : touched) {
+      if (burns()) release(i, dt);
       correct(dt, i, 1, cell, 0);
       next.copy_cell(i, cell, 0);
     }

@@ -46,6 +46,7 @@ GasGridSetup GasGrid::Impl::checked(GasGridSetup s) {
         throw std::invalid_argument("a block is at least 4 cells wide and leaves none or 4 beside it");
     }
   }
+  if (s.burn.there() && s.source.mean) throw std::invalid_argument("a burn goes without other sources");
   if (s.options.predictor == Predictor::muscl && s.source.primitive_rate) {
     throw std::invalid_argument("MUSCL-Hancock knows no sources here");
   }
@@ -101,7 +102,27 @@ GasGrid::Impl::Impl(GasGridSetup s)
     for (std::size_t a = 0; a < 3; ++a) largest[a] = std::max(largest[a], t.box.size[a]);
     tiles.push_back(std::move(t));
   }
+  if (setup.burn.there()) set_lighting();
   for (int k = 0; k < setup.options.threads; ++k) works.push_back(std::make_unique<TileWork>(context, largest));
+}
+
+void GasGrid::Impl::set_lighting() {
+  double const crossing = setup.burn.crossing(context.width());
+#pragma omp parallel for num_threads(setup.options.threads) schedule(dynamic, 1)
+  for (std::size_t id = 0; id < tiles.size(); ++id) {
+    GasTile& t = tiles[id];
+    std::array<int, 3> halo{};
+    for (std::size_t a = 0; a < 3; ++a) halo[a] = context.swept[a] ? 2 : 0;
+    for (int k = -halo[2]; k < t.box.size[2] + halo[2]; ++k) {
+      for (int j = -halo[1]; j < t.box.size[1] + halo[1]; ++j) {
+        for (int i = -halo[0]; i < t.box.size[0] + halo[0]; ++i) {
+          double const lit = setup.burn.lighting(centre({t.box.first[0] + i, t.box.first[1] + j, t.box.first[2] + k}));
+          if (lit == ProgrammedBurn::no_explosive) continue;
+          t.first_lit = std::min(t.first_lit, lit - crossing), t.last_lit = std::max(t.last_lit, lit + crossing);
+        }
+      }
+    }
+  }
 }
 
 std::vector<Int3> GasGrid::Impl::block_edges(TileBox const& box) const {

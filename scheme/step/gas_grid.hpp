@@ -24,6 +24,7 @@ struct GasGridSetup {
   std::vector<BoundaryPatch> patches{};
   std::vector<SolidBlock> blocks{};
   GridSource source{};
+  ProgrammedBurn burn{};
   GridSchemeOptions options{};
 };
 

@@ -31,6 +31,8 @@ struct GasGrid::Impl {
   /// Cells of the tile and of the layers around it that lie beside an edge of a solid block.
   [[nodiscard]] std::vector<Int3> block_edges(TileBox const& box) const;
 
+  /// When the detonation front comes to each tile and its neighbours, and leaves them.
+  void set_lighting();
   /// Sets every cell from its mean; starts counters and ledger at t.
   void set(std::function<FiveDensities(Int3 const&)> const& mean, double t);
   void start(double t);
@@ -53,7 +55,9 @@ struct GasGrid::Impl {
   void run(std::vector<TileId> const& ids);
   /// Faces of cells that lost nearly all of their density or pressure margin are redone at first order.
   void repair(std::vector<TileId> const& ids);
-  [[nodiscard]] bool bad(GasTile const& t, std::ptrdiff_t i, double share) const noexcept;
+  /// The cell holds unburnt explosive.
+  [[nodiscard]] bool fresh(GasTile const& t, std::ptrdiff_t i) const;
+  [[nodiscard]] bool bad(GasTile const& t, std::ptrdiff_t i, double share) const;
   bool floor_vacuum(std::vector<TileId> const& ids, Int3& cell);
   void accept(double dt, std::vector<TileId> const& ids, double new_rate);
   /// What passes the outer sides of tiles that are left out: the flux of their uniform state.

@@ -18,6 +18,8 @@ constexpr double vacuum_pressure = 1e-12, vacuum_density = 1e-13;  ///< floors, 
 bool GasGrid::Impl::stays(TileId id) const {
   GasTile const& t = tiles[static_cast<std::size_t>(id)];
   if (!t.uniform) return false;
+  // the front may reach it in this step
+  if (context.time < t.last_lit && context.time + setup.options.cfl / rate > t.first_lit) return false;
   using Kind = GridBoundary::Kind;
   for (int a = 0; a < 3; ++a) {
     std::size_t const s = static_cast<std::size_t>(a);
@@ -81,7 +83,13 @@ void GasGrid::Impl::run(std::vector<TileId> const& ids) {
   }
 }
 
-bool GasGrid::Impl::bad(GasTile const& t, std::ptrdiff_t i, double share) const noexcept {
+bool GasGrid::Impl::fresh(GasTile const& t, std::ptrdiff_t i) const {
+  int const row = static_cast<int>(i / t.row), at = static_cast<int>(i % t.row);
+  Int3 const cell{t.box.first[0] + at, t.box.first[1] + row % t.box.size[1], t.box.first[2] + row / t.box.size[1]};
+  return setup.burn.unburnt(setup.burn.lighting(centre(cell)), context.time, context.width()) > 0;
+}
+
+bool GasGrid::Impl::bad(GasTile const& t, std::ptrdiff_t i, double share) const {
   FiveDensities q{};
   for (std::size_t d = 0; d < 5; ++d) {
     if (context.dims == 2 && d == 3) continue;
@@ -90,6 +98,8 @@ bool GasGrid::Impl::bad(GasTile const& t, std::ptrdiff_t i, double share) const 
   }
   FiveDensities const old = densities(t, i);
   if (!(q[0] > share * old[0]) || !(q[0] > 0)) return true;
+  // unburnt explosive at rest has no pressure margin: it lies below the products' isentropes
+  if (context.time < t.last_lit && fresh(t, i)) return !(bulk_modulus(primitive(q)) > 0);
   return !(margin(primitive(q)) > share * margin(primitive(old)));
 }
 

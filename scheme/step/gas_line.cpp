@@ -38,7 +38,7 @@ GasLine::Impl::Impl(GasLineSetup s)
       src_energy(n),
       switch_counts(n + 1, 0.0),
       redone(n + 1, 0) {
-  plain = line.uniform() && !curved && !setup.source.mean && !cell_feet;
+  plain = line.uniform() && !curved && !setup.source.mean && !cell_feet && !setup.burn.there();
   problems.assign(static_cast<std::size_t>(std::max(1, setup.options.threads)), FaceProblems(face_chunk + 16));
   if (cell_feet) line.set_cell_feet(setup.options.feet == FootPoints::printed_3_10);
 }
@@ -50,6 +50,9 @@ std::size_t GasLine::Impl::checked_cells(GasLineSetup const& s) {
   }
   if (s.symmetry != Symmetry::planar && s.faces.front() < 0) {
     throw std::invalid_argument("curved symmetry needs positions >= 0");
+  }
+  if (s.burn.there() && (s.source.mean || s.options.feet != FootPoints::conservative)) {
+    throw std::invalid_argument("a burn goes with conservative feet and without other sources");
   }
   using Kind = GasBoundary::Kind;
   if ((s.left.kind == Kind::periodic) != (s.right.kind == Kind::periodic)) {

@@ -9,6 +9,7 @@
 #include "riemann/eos/registry.hpp"
 #include "scheme/step/gas_options.hpp"
 #include "scheme/step/line_contact.hpp"
+#include "scheme/step/programmed_burn.hpp"
 
 namespace g27 {
 
@@ -19,6 +20,7 @@ struct GasLineSetup {
   GasBoundary left{}, right{};
   MeshMotion motion{};
   GasSource source{};
+  ProgrammedBurn burn{};
   GasSchemeOptions options{};
 };
 

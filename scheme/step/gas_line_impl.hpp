@@ -32,6 +32,7 @@ struct GasLine::Impl {
   GasFaces faces, other_faces;   ///< `other_faces`: as the cell on the right sees them, with the points of OG (3.10)
   Padded u_mean, p_mean, dK_dp;  ///< averages of u and p, and dK/dp, for predictors beyond second order
   Padded inc_rho, inc_u, inc_p, src_mass, src_momentum, src_energy;
+  std::vector<double> unburnt, unburnt_next;  ///< fractions of the cells now and after the step; empty: no burn
   std::vector<double> switch_counts;
   std::vector<char> redone;
   std::vector<FaceProblems> problems;  ///< one a thread
@@ -136,6 +137,13 @@ struct GasLine::Impl {
 
   /// Manufactured sources of the step, integrated over the cells and the step.
   void set_sources(double dt);
+
+  // gas_line_burn.cpp
+  [[nodiscard]] bool burns() const noexcept { return !unburnt.empty(); }
+  /// Unburnt fractions before and after the step, and faces beside unburnt explosive at first order.
+  void burn(FaceRun const& run, double dt);
+  /// Energy that a cell releases in the step, given the flows of mass through its faces, into src_energy.
+  void release(std::ptrdiff_t i, double dt) noexcept;
 
   /// The new state of a cell has less than `share` of its density or pressure margin left, or is not finite.
   [[nodiscard]] bool bad(std::ptrdiff_t i, double share) const noexcept;

@@ -140,6 +140,7 @@ bool GasLine::Impl::try_step(double dt, double& new_rate) {
     if (!line.sweep(dt)) return false;
   }
   set_sources(dt);
+  if (setup.burn.there()) burn(run, dt);
   std::pair<double, double> result;
   if (cell_feet) {
     run.side = 1;
@@ -178,10 +179,10 @@ void GasLine::Impl::accept() {
   double const a0 = curved ? line.area[0] : 1.0, a1 = curved ? line.area[last] : 1.0;
   auto const through = [&](Padded const& f) { return dt * (a0 * f[0] - a1 * f[last]); };
   boundary.add(through(faces.mass), through(faces.momentum), through(faces.energy));
-  if (curved || setup.source.mean) {
+  if (curved || setup.source.mean || burns()) {
     for (std::ptrdiff_t i = 0; i < last; ++i) {
       double m = 0, q = 0, e = 0;
-      if (setup.source.mean) m = src_mass[i], q = src_momentum[i], e = src_energy[i];
+      if (setup.source.mean || burns()) m = src_mass[i], q = src_momentum[i], e = src_energy[i];
       if (curved) q += 0.5 * dt * (faces.p[i] + faces.p[i + 1]) * (line.area[i + 1] - line.area[i]);
       source.add(m, q, e);
     }

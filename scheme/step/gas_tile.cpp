@@ -31,6 +31,7 @@ TileWork::TileWork(GridContext const& context, Int3 const& largest)
   }
   if (g_.setup.options.cure) cure_.assign(volume_ + 48, 0.0);
   redo_.assign(volume_ + 48, 0.0);
+  if (g_.setup.burn.there()) unburnt_ = near_unburnt_ = redo_;
   std::size_t const n = line + 16;
   mirror_line_ = n;
   gathered_ = TermRow(n), x_terms_ = TermRow(n), averaged_ = TermRow(n);
@@ -86,6 +87,7 @@ void TileWork::step(TileId id) {
   t.through = t.from_source = {};
   planes_ = -halo_[2], mean_planes_ = halo_[2] > 0 ? 1 - halo_[2] : 0;
   find_redo();
+  find_unburnt();
   sweep();
 }
 
@@ -365,6 +367,7 @@ void TileWork::finish(int j, int k) {
       }
     }
   }
+  if (burns_) release(j, k);
   std::ptrdiff_t const i = origin_ + index(0, j, k);
   GridFinishArguments f{.cells = static_cast<std::size_t>(nx_),
                         .eos = g_.eos,

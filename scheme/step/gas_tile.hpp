@@ -1,6 +1,8 @@
 #pragma once
 /// A tile of a gas grid: what it stores between steps, and the work of one step on it. gas_tile_fill.cpp gathers the
-/// tile and its surroundings, gas_tile.cpp sweeps the faces, gas_tile_faces.cpp solves a row of them.
+/// tile and its surroundings, gas_tile.cpp sweeps the faces, gas_tile_faces.cpp solves a row of them, gas_tile_burn.cpp
+/// adds what a detonation releases.
+#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
@@ -28,6 +30,7 @@ struct GasTile {
   std::vector<Int3> edges;    ///< cells beside the edges of solid blocks, one around the tile included (see plain_cell)
   CacheLineVector now, next;  ///< empty: not stored
   std::vector<float> maps;    ///< steps in which switch, cure and repair acted, [3][cells]; empty: not wanted
+  double last_lit = -1e300, first_lit = 1e300;  ///< when the detonation front has left it, and comes to it [s]
   std::vector<unsigned char> redo;  ///< cells whose faces are redone at first order in this step; empty: none
 
   /// Results of a step.
@@ -68,6 +71,12 @@ struct GridContext {
   int halo;                   ///< cells around a tile that its step reads
   double time = 0, dt = 0;
 
+  /// Largest width of a cell [m].
+  [[nodiscard]] double width() const noexcept {
+    double widest = 0;
+    for (std::size_t a = 0; a < 3; ++a) widest = swept[a] ? std::max(widest, h[a]) : widest;
+    return widest;
+  }
   [[nodiscard]] GridBoundary const& condition(Side side, Vec3 const& x) const noexcept;
 };
 
@@ -172,6 +181,8 @@ class TileWork {
   void solve_problems(FaceRow const& row, FaceProblems& b, bool averaged, bool weak_done, FluxRow& out);
   void seal(FaceRow const& row, FluxRow& out) noexcept;
   void seal_cured(FaceRow const& row, FluxRow& out) noexcept;
+  /// Faces with a flagged cell on either side are redone at first order; how many.
+  std::size_t redo_row(std::vector<double> const& flags, FaceRow const& row, FluxRow& out);
   /// Faces with a flagged cell on either side into mark_; how many.
   void mark(std::vector<double> const& flags, FaceRow const& row, std::size_t& count);
   void count_in_map(std::size_t map, FaceRow const& row, Padded const& acted) noexcept;
@@ -182,6 +193,14 @@ class TileWork {
   static std::pair<std::ptrdiff_t, std::size_t> lanes_on_side(FaceRow const& row, bool low) noexcept;
   [[nodiscard]] RowIn cells_at(std::ptrdiff_t i) const noexcept;
   [[nodiscard]] std::ptrdiff_t stride(int axis) const noexcept { return axis == 0 ? 1 : axis == 1 ? sj_ : sk_; }
+
+  // gas_tile_burn.cpp
+  /// Unburnt fractions of the tile and of two layers of cells around it.
+  void find_unburnt();
+  /// Faces beside unburnt explosive at first order, and the energy that rides with their mass.
+  void burn_row(FaceRow const& row, FluxRow& out);
+  /// What the cells of a row have released.
+  void release(int j, int k);
 
   GridContext const& g_;
   bool third_order_;
@@ -195,8 +214,9 @@ class TileWork {
   Padded rho_, u_[3], p_, K_, margin_, mean_u_[3], mean_p_, dK_dp_;
   TermRow gathered_;
   std::vector<double> cure_, redo_;  ///< flags of cells, as the primitives
-  bool any_cure_ = false, any_redo_ = false;
-  int planes_ = 0, mean_planes_ = 0;  ///< gathered so far: up to these
+  bool any_cure_ = false, any_redo_ = false, burns_ = false;
+  std::vector<double> unburnt_, near_unburnt_;  ///< fractions and flags of cells, as the primitives; empty: no burn
+  int planes_ = 0, mean_planes_ = 0;            ///< gathered so far: up to these
   TermRow x_terms_, averaged_;
   std::array<TermRow, 2> y_terms_;
   std::vector<TermRow> z_terms_;  ///< of two planes

@@ -343,14 +343,21 @@ void TileWork::solve_row(FaceRow const& row, FluxRow& out) {
     t.cured += static_cast<double>(marked);
     count_in_map(1, row, mark_);
   }
-  marked = 0;
-  if (any_redo_) mark(redo_, row, marked);
-  if (marked > 0) {
-    fluxes(row, PredictorKernel::godunov, other_problems_, other_flux_);
-    take_marked(mark_, row.n, out, other_flux_);
-    t.redone += static_cast<double>(marked);
-    count_in_map(2, row, mark_);
+  if (any_redo_) {
+    std::size_t const redone = redo_row(redo_, row, out);
+    t.redone += static_cast<double>(redone);
+    if (redone > 0) count_in_map(2, row, mark_);
   }
+  if (burns_) burn_row(row, out);
+}
+
+std::size_t TileWork::redo_row(std::vector<double> const& flags, FaceRow const& row, FluxRow& out) {
+  std::size_t marked = 0;
+  mark(flags, row, marked);
+  if (marked == 0) return 0;
+  fluxes(row, PredictorKernel::godunov, other_problems_, other_flux_);
+  take_marked(mark_, row.n, out, other_flux_);
+  return marked;
 }
 
 void TileWork::seal_cured(FaceRow const& row, FluxRow& out) noexcept {

@@ -27,6 +27,7 @@ GasGridSetup setup_of(GridProblem const& problem, int cells, CaseOptions const& 
                      .patches = problem.patches,
                      .blocks = {},
                      .source = problem.source,
+                     .burn = problem.burn,
                      .options = {}};
   for (std::size_t d = static_cast<std::size_t>(problem.dimensions); d < 3; ++d) {
     setup.lower[d] = 0, setup.upper[d] = 1;

@@ -23,6 +23,7 @@ struct GridProblem {
   std::vector<BoundaryPatch> patches{};
   std::vector<SolidBox> blocks{};
   GridSource source{};
+  ProgrammedBurn burn{};
   double t_end = 1;  ///< [s]
   long steps = 0;    ///< if set: the end, in place of t_end
   GridMean initial{};

@@ -117,6 +117,7 @@ CaseResult run_problem(std::string const& name, int cells, LineProblem problem, 
       .right = problem.right,
       .motion = options.mesh ? mesh_motion(mesh, problem.x0, problem.x1, n, problem.t_end) : problem.motion,
       .source = problem.source,
+      .burn = problem.burn,
       .options = {}};
   GasSchemeOptions& o = setup.options;
   o.predictor = options.predictor.value_or(Predictor::linear);

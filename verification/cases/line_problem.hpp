@@ -20,6 +20,7 @@ struct LineProblem {
   Symmetry symmetry = Symmetry::planar;
   MeshMotion motion{};  ///< the problem's own; a mesh chosen by the options overrides it
   GasSource source{};
+  ProgrammedBurn burn{};
   double cfl = 0.8;
   Switch monotonicity = Switch::graded;
 };
