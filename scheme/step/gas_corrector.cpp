@@ -115,7 +115,8 @@ void GasLine::Impl::repair(FaceRun const& run, double dt) {
       for (std::ptrdiff_t f : {i, i + 1}) {
         if (redone[static_cast<std::size_t>(f)] != 0) continue;
         auto const redo = [&](std::ptrdiff_t face) {
-          run_faces(first, face, 1, problems[0], one, 0);
+          bool const unburnt_face = burns() && unburnt_faces[static_cast<std::size_t>(face)] != 0;
+          run_faces(unburnt_face ? beside_unburnt(first) : first, face, 1, problems[0], one, 0);
           faces.copy_face(face, one, 0);
           redone[static_cast<std::size_t>(face)] = 1;
           counters.repaired += 1;

@@ -174,7 +174,7 @@ std::size_t GasLine::Impl::solve(FaceRun const& run, std::ptrdiff_t f, std::size
                    .d_p = b.d_p.data(),
                    .weak_done = run.at_once,
                    .failures = 0};
-  law.solve[static_cast<std::size_t>(setup.options.riemann)](g);
+  law.solve[static_cast<std::size_t>(run.riemann)](g);
   return g.failures;
 }
 
@@ -217,6 +217,7 @@ std::size_t GasLine::Impl::run_faces(FaceRun const& run, std::ptrdiff_t begin, s
   if (end == cells() + 1 && is_wall(setup.right)) image_in_wall(run, cells(), false, b, count - 1);
   if (begin == 0 && is_contact(setup.left)) leave_to_contact(0, b, 0);
   if (end == cells() + 1 && is_contact(setup.right)) leave_to_contact(cells() - 1, b, count - 1);
+  if (burns() && !run.unburnt) leave_unburnt(begin, count, b);
   std::size_t const failures = solve(run, begin, count, b, out, to);
   if (begin == 0 && is_wall(setup.left)) seal(out, to, line.w[0]);
   if (end == cells() + 1 && is_wall(setup.right))

@@ -5,37 +5,51 @@
 
 namespace g27 {
 
-void GasLine::Impl::burn(FaceRun const& run, double dt) {
-  unburnt.assign(n, 0.0), unburnt_next.assign(n, 0.0);
-  std::vector<char> fresh(n, 0);
+void GasLine::Impl::find_unburnt() {
+  unburnt.assign(n, 0.0);
   for (std::ptrdiff_t i = 0; i < cells(); ++i) {
-    std::size_t const k = static_cast<std::size_t>(i);
-    double const x = line.center(i), lit = setup.burn.lighting({x, 0, 0});
-    double const later = x + 0.5 * dt * (line.w[i] + line.w[i + 1]);
-    unburnt[k] = setup.burn.unburnt(lit, time, line.h[i]);
-    unburnt_next[k] = setup.burn.unburnt(moving ? setup.burn.lighting({later, 0, 0}) : lit, time + dt, line.h[i]);
-    fresh[k] = unburnt[k] > 0 || unburnt_next[k] > 0 ? 1 : 0;
+    double const lit = setup.burn.lighting({line.center(i), 0, 0});
+    unburnt[static_cast<std::size_t>(i)] = setup.burn.unburnt(lit, time, line.h[i]);
   }
-  if (std::none_of(fresh.begin(), fresh.end(), [](char c) { return c != 0; })) {
+  if (std::none_of(unburnt.begin(), unburnt.end(), [](double x) { return x > 0; })) {
     unburnt.clear();
     return;
   }
-  FaceRun first = run;
-  first.predictor = PredictorKernel::godunov, first.increments = false, first.linear_star = false;
-  auto const at_first_order = [&](std::ptrdiff_t f) {
-    for (std::ptrdiff_t i = std::max<std::ptrdiff_t>(0, f - 2); i < std::min(cells(), f + 2); ++i) {
-      if (fresh[static_cast<std::size_t>(i)] != 0) return true;
-    }
-    return false;
-  };
-  for (std::ptrdiff_t f = 0; f <= cells(); ++f) {
-    std::ptrdiff_t end = f;
-    while (end <= cells() && end - f < static_cast<std::ptrdiff_t>(face_chunk) && at_first_order(end)) ++end;
-    if (end == f) continue;
-    run_faces(first, f, static_cast<std::size_t>(end - f), problems[0], faces, f);
-    f = end - 1;
-  }
+  unburnt_faces.assign(n + 1, 0);
   for (std::ptrdiff_t i = 0; i < cells(); ++i) {
+    if (!(unburnt[static_cast<std::size_t>(i)] > 0)) continue;
+    // the stencils of faces reach two cells to either side
+    for (std::ptrdiff_t f = std::max<std::ptrdiff_t>(0, i - 1); f <= std::min(cells(), i + 2); ++f)
+      unburnt_faces[static_cast<std::size_t>(f)] = 1;
+  }
+}
+
+void GasLine::Impl::leave_unburnt(std::ptrdiff_t begin, std::size_t count, FaceProblems& b) const noexcept {
+  for (std::ptrdiff_t k = 0; k < static_cast<std::ptrdiff_t>(count); ++k) {
+    if (unburnt_faces[static_cast<std::size_t>(begin + k)] == 0) continue;
+    GasState<> const s = now.state(std::min(begin + k, cells() - 1));
+    b.s_rho[k] = s.rho, b.s_u[k] = s.u, b.s_p[k] = s.p, b.strong[k] = 0.0;
+  }
+}
+
+GasLine::Impl::FaceRun GasLine::Impl::beside_unburnt(FaceRun run) noexcept {
+  run.predictor = PredictorKernel::godunov, run.increments = false, run.linear_star = false, run.at_once = false;
+  run.riemann = RiemannSolver::hllc, run.unburnt = true;
+  return run;
+}
+
+void GasLine::Impl::burn(FaceRun const& run, double dt) {
+  FaceRun const first = beside_unburnt(run);
+  std::ptrdiff_t const chunk = static_cast<std::ptrdiff_t>(face_chunk);
+  for (std::ptrdiff_t f = 0, end = 0; f <= cells(); f = std::max(end, f + 1)) {
+    for (end = f; end <= cells() && end - f < chunk && unburnt_faces[static_cast<std::size_t>(end)] != 0;) ++end;
+    if (end > f) run_faces(first, f, static_cast<std::size_t>(end - f), problems[0], faces, f);
+  }
+  unburnt_next.assign(n, 0.0);
+  for (std::ptrdiff_t i = 0; i < cells(); ++i) {
+    double const x = line.center(i) + 0.5 * dt * (line.w[i] + line.w[i + 1]);
+    unburnt_next[static_cast<std::size_t>(i)] =
+        setup.burn.unburnt(setup.burn.lighting({x, 0, 0}), time + dt, line.h[i]);
     src_mass[i] = src_momentum[i] = 0.0;
     release(i, dt);
   }

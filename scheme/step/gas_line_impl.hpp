@@ -33,6 +33,7 @@ struct GasLine::Impl {
   Padded u_mean, p_mean, dK_dp;  ///< averages of u and p, and dK/dp, for predictors beyond second order
   Padded inc_rho, inc_u, inc_p, src_mass, src_momentum, src_energy;
   std::vector<double> unburnt, unburnt_next;  ///< fractions of the cells now and after the step; empty: no burn
+  std::vector<char> unburnt_faces;            ///< their stencil holds unburnt explosive
   std::vector<double> switch_counts;
   std::vector<char> redone;
   std::vector<FaceProblems> problems;  ///< one a thread
@@ -92,6 +93,8 @@ struct GasLine::Impl {
     double dt;
     int side = 0;          ///< OG (3.10): for the cell on the left (0) or on the right (1)
     bool at_once = false;  ///< fluxes of weak faces come with their prediction
+    RiemannSolver riemann = RiemannSolver::fast;
+    bool unburnt = false;  ///< of faces beside unburnt explosive; other runs leave those out
   };
 
   /// Predictor on the faces [f, f + count).
@@ -140,8 +143,15 @@ struct GasLine::Impl {
 
   // gas_line_burn.cpp
   [[nodiscard]] bool burns() const noexcept { return !unburnt.empty(); }
-  /// Unburnt fractions before and after the step, and faces beside unburnt explosive at first order.
+  /// Unburnt fractions before the step, and the faces beside them.
+  void find_unburnt();
+  /// Faces beside unburnt explosive have no Riemann problem in other runs.
+  void leave_unburnt(std::ptrdiff_t begin, std::size_t count, FaceProblems& b) const noexcept;
+  /// Faces beside unburnt explosive, and what is released.
   void burn(FaceRun const& run, double dt);
+  /// How they are run: at first order, and by HLLC, since unburnt explosive has no pressure margin, without which there
+  /// is no exact solution beside a vacuum.
+  [[nodiscard]] static FaceRun beside_unburnt(FaceRun run) noexcept;
   /// Energy that a cell releases in the step, given the flows of mass through its faces, into src_energy.
   void release(std::ptrdiff_t i, double dt) noexcept;
 

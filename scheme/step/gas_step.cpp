@@ -133,14 +133,16 @@ bool GasLine::Impl::try_step(double dt, double& new_rate) {
               .linear_star = setup.options.linear_star && setup.options.riemann != RiemannSolver::hllc,
               .dt = dt,
               .at_once = law.energy_line(eos)[0] > 0 && predictor != PredictorKernel::muscl &&
-                         setup.motion.kind == MeshMotion::Kind::fixed && setup.options.riemann != RiemannSolver::hllc};
+                         setup.motion.kind == MeshMotion::Kind::fixed && setup.options.riemann != RiemannSolver::hllc,
+              .riemann = setup.options.riemann};
+  if (setup.burn.there()) find_unburnt();
   std::size_t failures = all_faces(run, faces);
   if (setup.motion.kind == MeshMotion::Kind::lagrangian) {
     for (std::ptrdiff_t f = 0; f <= cells(); ++f) line.w[f] = faces.u[f];
     if (!line.sweep(dt)) return false;
   }
   set_sources(dt);
-  if (setup.burn.there()) burn(run, dt);
+  if (burns()) burn(run, dt);
   std::pair<double, double> result;
   if (cell_feet) {
     run.side = 1;

@@ -181,7 +181,7 @@ class TileWork {
   void solve_problems(FaceRow const& row, FaceProblems& b, bool averaged, bool weak_done, FluxRow& out);
   void seal(FaceRow const& row, FluxRow& out) noexcept;
   void seal_cured(FaceRow const& row, FluxRow& out) noexcept;
-  /// Faces with a flagged cell on either side are redone at first order; how many.
+  /// Faces with a flagged cell on either side are redone at first order; how many. The marks are in mark_.
   std::size_t redo_row(std::vector<double> const& flags, FaceRow const& row, FluxRow& out);
   /// Faces with a flagged cell on either side into mark_; how many.
   void mark(std::vector<double> const& flags, FaceRow const& row, std::size_t& count);
@@ -197,7 +197,10 @@ class TileWork {
   // gas_tile_burn.cpp
   /// Unburnt fractions of the tile and of two layers of cells around it.
   void find_unburnt();
-  /// Faces beside unburnt explosive at first order, and the energy that rides with their mass.
+  /// Faces beside unburnt explosive have no Riemann problem in other runs.
+  void leave_unburnt(FaceRow const& row, FaceProblems& b);
+  /// Those faces at first order and by HLLC, since unburnt explosive has no pressure margin, without which there is no
+  /// exact solution beside a vacuum; and the energy that rides with the mass of every face.
   void burn_row(FaceRow const& row, FluxRow& out);
   /// What the cells of a row have released.
   void release(int j, int k);
@@ -214,7 +217,7 @@ class TileWork {
   Padded rho_, u_[3], p_, K_, margin_, mean_u_[3], mean_p_, dK_dp_;
   TermRow gathered_;
   std::vector<double> cure_, redo_;  ///< flags of cells, as the primitives
-  bool any_cure_ = false, any_redo_ = false, burns_ = false;
+  bool any_cure_ = false, any_redo_ = false, burns_ = false, at_unburnt_ = false;
   std::vector<double> unburnt_, near_unburnt_;  ///< fractions and flags of cells, as the primitives; empty: no burn
   int planes_ = 0, mean_planes_ = 0;            ///< gathered so far: up to these
   TermRow x_terms_, averaged_;

@@ -38,8 +38,21 @@ void TileWork::find_unburnt() {
   });
 }
 
+void TileWork::leave_unburnt(FaceRow const& row, FaceProblems& b) {
+  std::size_t marked = 0;
+  mark(near_unburnt_, row, marked);
+  std::size_t const a = static_cast<std::size_t>(row.axis);
+  for (std::ptrdiff_t f = 0; marked > 0 && f < static_cast<std::ptrdiff_t>(row.n); ++f) {
+    if (!(mark_[f] > 0)) continue;
+    std::ptrdiff_t const cell = row.cell + f;
+    b.s_rho[f] = rho_[cell], b.s_u[f] = u_[a][cell], b.s_p[f] = p_[cell], b.strong[f] = 0.0;
+  }
+}
+
 void TileWork::burn_row(FaceRow const& row, FluxRow& out) {
+  at_unburnt_ = true;
   redo_row(near_unburnt_, row, out);
+  at_unburnt_ = false;
   std::size_t const left = static_cast<std::size_t>(row.cell),
                     right = left + static_cast<std::size_t>(stride(row.axis));
   for (std::size_t f = 0; f < row.n; ++f) {

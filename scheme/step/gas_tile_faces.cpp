@@ -203,7 +203,7 @@ void TileWork::solve_problems(FaceRow const& row, FaceProblems& b, bool averaged
                    .d_p = b.d_p.data(),
                    .weak_done = weak_done,
                    .failures = 0};
-  g_.law.solve[static_cast<std::size_t>(g_.setup.options.riemann)](g);
+  g_.law.solve[static_cast<std::size_t>(at_unburnt_ ? RiemannSolver::hllc : g_.setup.options.riemann)](g);
   tile_->failures += g.failures;
 }
 
@@ -224,6 +224,7 @@ void TileWork::fluxes(FaceRow const& row, PredictorKernel kernel, FaceProblems& 
   if (row.wall_low) image_in_wall(row, kernel, inc, true, b);
   if (row.wall_high) image_in_wall(row, kernel, inc, false, b);
   bool const averaged = is_third_order(kernel);
+  if (burns_ && !at_unburnt_) leave_unburnt(row, b);
   solve_problems(row, b, averaged, at_once(), out);
   seal(row, out);
   std::size_t const a = static_cast<std::size_t>(row.axis);
