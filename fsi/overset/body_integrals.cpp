@@ -71,8 +71,7 @@ Enclosed enclosed(Body const& body) {
       for (std::size_t c = 0; c < 3; ++c) x[a][c] = corners[c][a] - origin[a];
     }
     out.volume += area / 3 * (x[axis][0] + x[axis][1] + x[axis][2]);
-    for (std::size_t a = 0; a < 3; ++a)
-      out.centroid[a] += (a == axis ? 0.5 : 1.0) * area * mean_product(x[axis], x[a]);
+    for (std::size_t a = 0; a < 3; ++a) out.centroid[a] += (a == axis ? 0.5 : 1.0) * area * mean_product(x[axis], x[a]);
   }
   out.centroid = (1 / out.volume) * out.centroid + origin;
   return out;

@@ -98,7 +98,8 @@ struct OversetSolver::Impl {
       auto const read = [&](auto& region, auto const& state) {
         for (std::size_t i = 0; i < region.kinds.count(); ++i) {
           bool const own = all || region.kinds.kind_before(i) == CellKind::deep;
-          if (own && region.kinds.valid(i) && !region.kinds.is_image(i)) region.states[i] = state(region.kinds.in_grid(region.kinds.cell(i)));
+          if (own && region.kinds.valid(i) && !region.kinds.is_image(i))
+            region.states[i] = state(region.kinds.in_grid(region.kinds.cell(i)));
         }
         region.reflect();
       };

@@ -102,7 +102,7 @@ class CellKinds {
   std::vector<unsigned char> fringe_, is_image_;
   std::vector<ImageCell> images_;
   std::vector<TriangleSurface const*> surfaces_;
-  std::vector<double> lids_;  ///< [surface]: the mirror across x that closes it, where one does
+  std::vector<double> lids_;                    ///< [surface]: the mirror across x that closes it, where one does
   std::vector<std::vector<Crossing>> columns_;  ///< triangles over each column of cells along x
 };
 

@@ -57,7 +57,8 @@ TriangleSurface clip_surface(TriangleSurface s, std::size_t axis, double at, boo
       if ((here > 0 && there < 0) || (here < 0 && there > 0)) polygon.push_back(cut(v, next));
     }
     if (!(most > 0)) continue;  // beyond the plane, or on it
-    if (polygon.size() == 4 && length(s.at(polygon[0]) - s.at(polygon[2])) > length(s.at(polygon[1]) - s.at(polygon[3])))
+    if (polygon.size() == 4 &&
+        length(s.at(polygon[0]) - s.at(polygon[2])) > length(s.at(polygon[1]) - s.at(polygon[3])))
       std::rotate(polygon.begin(), polygon.begin() + 1, polygon.end());
     for (std::size_t c = 2; c < polygon.size(); ++c) kept.push_back({polygon[0], polygon[c - 1], polygon[c]});
   }
@@ -80,8 +81,8 @@ TriangleSurface unfolded(TriangleSurface s, std::size_t axis, double at) {
   for (std::size_t t = 0; t < triangles; ++t) {
     auto const [a, b, c] = s.triangles[t];
     // turned, and so that the first side stays the first one
-    s.triangles.push_back({image[static_cast<std::size_t>(b)], image[static_cast<std::size_t>(a)],
-                           image[static_cast<std::size_t>(c)]});
+    s.triangles.push_back(
+        {image[static_cast<std::size_t>(b)], image[static_cast<std::size_t>(a)], image[static_cast<std::size_t>(c)]});
   }
   return s;
 }

@@ -12,8 +12,8 @@ using namespace g27;
 
 namespace {
 
-constexpr double size = 2, edge = 0.5, p0 = 1e9;
-constexpr int cells = 32;  // of a width that is a power of 2: the same cells in every part
+constexpr double size = 1.5, edge = 0.47, p0 = 1e9;  // the cube's sides lie within cells: no ties
+constexpr int cells = 24;                            // of a width that is a power of 2: the same cells in every part
 
 /// A steel cube about the origin, in a blast that comes from all sides and has the planes' symmetry; the first
 /// `planes` of x = 0, y = 0, z = 0 are walls.
@@ -22,6 +22,9 @@ OversetSolver cube_in_blast(int planes, bool closure) {
   double const h = size / cells;
   OversetSetup s{.gas = symmetric_cube(IdealGas{1.4}, size, cells, planes)};
   s.closure = closure;
+  // what decides by a threshold, or is exact at walls alone, would not be the same to round-off
+  s.gas.options.cure = s.gas.options.linear_star = false;
+  s.gas.options.monotonicity = s.solid_options.monotonicity = s.local.monotonicity = Switch::off;
   TriangleSurface part = clip_at_origin(make_box({edge, edge, edge}, 0.83 * h), 3, 1e-9);
   for (std::size_t a = 3; a-- > static_cast<std::size_t>(planes);) part = unfolded(part, a, 0);
   s.bodies.push_back({.surface = part,
@@ -48,9 +51,11 @@ Difference difference(OversetSolver const& part, OversetSolver const& whole) {
   Difference d;
   Int3 const n = part.gas().cells(), all = whole.gas().cells();
   auto const velocity = [](Vec3 const& a, Vec3 const& b) { return length(a - b) / 500; };
+  CellKinds const& kinds = part.bodies()[0]->gas.kinds;
   for (int k = 0; k < n[2]; ++k) {
     for (int j = 0; j < n[1]; ++j) {
       for (int i = 0; i < n[0]; ++i) {
+        if (!kinds.in_medium(part.gas().centre({i, j, k}))) continue;
         GasPoint const a = part.gas().primitive({i, j, k});
         GasPoint const b = whole.gas().primitive({i + all[0] - n[0], j + all[1] - n[1], k + all[2] - n[2]});
         d.gas = std::max({d.gas, std::fabs(a.p - b.p) / p0, std::fabs(a.rho - b.rho) / 100, velocity(a.u, b.u)});
@@ -84,45 +89,46 @@ Difference difference(OversetSolver const& part, OversetSolver const& whole) {
 CaseResult drift(double body, double speed, double planes) {
   CaseOptions o;
   o.cells = 16, o.threads = 2;
-  o.values = {{"body", body}, {"speed", speed}, {"planes", planes}, {"steps", 40}};
+  o.values = {{"body", body}, {"speed", speed}, {"planes", planes}, {"steps", 20}};
   return find_by_name(all_cases(), "freestream-bodies", "test").run(o);
 }
 
 }  // namespace
 
 TEST_CASE("a half, a quarter and an eighth of a cube are the parts of the whole") {
-  // the same operations up to the order of sums; 30 steps of a strong blast on a body that yields
+  // The same operations up to the order of sums, over 12 steps of a strong blast on a body that yields: round-off,
+  // which the stresses of the solid have relative to its bulk modulus, 175 times the scale here.
   for (bool closure : {false, true}) {
     OversetSolver whole = cube_in_blast(0, closure);
-    for (int n = 0; n < 30; ++n) REQUIRE(whole.step(1).status == StepStatus::ok);
+    for (int n = 0; n < 12; ++n) REQUIRE(whole.step(1).status == StepStatus::ok);
     BodyIntegrals const all = integrals(*whole.bodies()[0]);
     for (int planes : {1, 2, 3}) {
       OversetSolver part = cube_in_blast(planes, closure);
-      for (int n = 0; n < 30; ++n) REQUIRE(part.step(1).status == StepStatus::ok);
+      for (int n = 0; n < 12; ++n) REQUIRE(part.step(1).status == StepStatus::ok);
       CHECK(part.time() == Approx(whole.time()).epsilon(1e-11));
       Difference const d = difference(part, whole);
       CAPTURE(planes, closure, d.gas, d.solid, d.contact, d.vertex, d.yielded);
-      CHECK(d.yielded > 1e-4);
-      CHECK(d.gas < 1e-9);
-      CHECK(d.solid < 1e-9);
-      CHECK(d.contact < 1e-9);
-      CHECK(d.vertex < 1e-9);
+      CHECK(d.yielded > 1e-6);
+      CHECK(d.gas < 1e-11);
+      CHECK(d.solid < 1e-11);
+      CHECK(d.contact < 1e-11);
+      CHECK(d.vertex < 1e-11);
       BodyIntegrals const some = integrals(*part.bodies()[0]);
       double const share = std::pow(0.5, planes);
-      CHECK(some.volume == Approx(share * all.volume).epsilon(1e-10));
-      CHECK(some.mass == Approx(share * all.mass).epsilon(1e-10));
-      CHECK(some.energy == Approx(share * all.energy).epsilon(1e-10));
+      CHECK(some.volume == Approx(share * all.volume).epsilon(1e-11));
+      CHECK(some.mass == Approx(share * all.mass).epsilon(1e-11));
+      CHECK(some.energy == Approx(share * all.energy).epsilon(1e-11));
     }
   }
 }
 
 TEST_CASE("a uniform stream carries a cut body along its planes and stays uniform") {
-  // round-off alone: 40 steps of sums of about 20 terms. Turned bodies: cut at any angle, with irregular triangles
+  // round-off alone: 20 steps of sums of about 20 terms. Turned bodies: cut at any angle, with irregular triangles
   for (double body : {0.0, 1.0}) {
     for (double planes : {1.0, 2.0, 3.0}) {
       CaseResult const r = drift(body, 500, planes);
       CAPTURE(body, planes);
-      CHECK(r.facts.at("cells_travelled") > (planes < 3 ? 0.2 : -1.0));
+      CHECK(r.facts.at("cells_travelled") > (planes < 3 ? 0.1 : -1.0));
       CHECK(r.facts.at("deviation_gas") < 1e-12);
       CHECK(r.facts.at("deviation_solid") < 1e-12);
       CHECK(r.facts.at("deviation_surface") < 1e-12);

@@ -21,8 +21,8 @@ std::vector<CaseParameter> const parameters{
     {"amplitude", 1e-3, "1", "velocity of the surface over that of P waves", 1e-6, 0.02},
     {"periods", 2, "1", "of the exact frequency", 1, 200},
     {"eighths", 0, "1",
-     "of the sphere that are computed, 1 2 4 or 8, the rest by planes of symmetry; 0: whole, turned and off the cells", 0,
-     8}};
+     "of the sphere that are computed, 1 2 4 or 8, the rest by planes of symmetry; 0: whole, turned and off the cells",
+     0, 8}};
 
 /// Volume in time: its zeros give the period, its extrema the amplitude.
 struct Swelling {
@@ -76,10 +76,7 @@ Case breathing_sphere_case() {
     }
     problem.gas = [=](Vec3 const&) { return GasPoint{1e-5 * steel.rho0, {0, 0, 0}, p}; };
     problem.t_end = periods * period;
-    BodySetup body{.surface = std::move(surface),
-                   .material = steel.scheme,
-                   .cell = h,
-                   .initial = {}};
+    BodySetup body{.surface = std::move(surface), .material = steel.scheme, .cell = h, .initial = {}};
     body.lower = middle - Vec3{1.1 * radius, 1.1 * radius, 1.1 * radius}, body.upper = 2.0 * middle - body.lower;
     body.initial = [=](Vec3 const& x) {
       SolidPoint const wave = mode->at(x - middle, 0);

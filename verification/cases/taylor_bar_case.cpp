@@ -90,12 +90,13 @@ Case taylor_bar_case() {
     };
     return run_problem("taylor-bar", 4, std::move(problem), options);
   };
-  Case out = overset_case("taylor-bar",
-                          "copper rod, 32.4 mm long, of radius 3.2 mm (its cells: --cells), strikes a rigid wall at 227 "
-                          "m/s: length and foot",
-                          "Camacho and Ortiz, Comput. Methods Appl. Mech. Eng. 142 (1997) 269: frictionless wall, no "
-                          "exact solution",
-                          4, parameters);
+  Case out =
+      overset_case("taylor-bar",
+                   "copper rod, 32.4 mm long, of radius 3.2 mm (its cells: --cells), strikes a rigid wall at 227 "
+                   "m/s: length and foot",
+                   "Camacho and Ortiz, Comput. Methods Appl. Mech. Eng. 142 (1997) 269: frictionless wall, no "
+                   "exact solution",
+                   4, parameters);
   out.run = run;
   return out;
 }
