@@ -77,7 +77,9 @@ Case breathing_sphere_case() {
     problem.gas = [=](Vec3 const&) { return GasPoint{1e-5 * steel.rho0, {0, 0, 0}, p}; };
     problem.t_end = periods * period;
     BodySetup body{.surface = std::move(surface), .material = steel.scheme, .cell = h, .initial = {}};
-    body.lower = middle - Vec3{1.1 * radius, 1.1 * radius, 1.1 * radius}, body.upper = 2.0 * middle - body.lower;
+    // of a symmetric one, the planes are faces of its cells
+    double const reach = eighths > 0 ? std::ceil(1.1 * radius / h) * h : 1.1 * radius;
+    body.lower = middle - Vec3{reach, reach, reach}, body.upper = 2.0 * middle - body.lower;
     body.initial = [=](Vec3 const& x) {
       SolidPoint const wave = mode->at(x - middle, 0);
       return solid_state(steel, steel.rho0 * (1 + p / K), wave.u, p);
