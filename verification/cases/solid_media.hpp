@@ -20,7 +20,7 @@ struct SolidMedium {
 /// Dynamic Behavior of Materials (1994), table 5.1, mu 27.6, Y 0.3 GPa. beryllium: that of
 /// Howell and Ball's shell, 1845 kg/m^3, mu 151, Y 0.33 GPa; its law U_s = 7998 m/s + 1.124 u_p, Gamma 1.1 in round
 /// values, on which a shell that moves as if incompressible hardly depends. copper: of the rods that strike a wall in
-/// Camacho and Ortiz (1997), E 117 GPa, nu .35, Y 0.4, H 0.1 GPa, 8930 kg/m^3, linear bulk modulus. `plastic`: with
+/// Foulk et al. (2021), E 117 GPa, nu .35, Y 0.4, H 0.1 GPa, 8930 kg/m^3, linear bulk modulus. `plastic`: with
 /// their yield stress, else elastic. Throws std::invalid_argument for another name.
 SolidMedium solid_medium(std::string const& name, bool plastic = false);
 
