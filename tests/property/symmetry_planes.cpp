@@ -42,6 +42,41 @@ OversetSolver cube_in_blast(int planes) {
           }};
 }
 
+constexpr double thickness = 0.21, wide = 0.375, high = 0.25;
+
+/// A plate across x between walls at both sides of y and z, struck by a plane pulse with ripples along y; or its double
+/// about y = 0.
+OversetSolver plate_between_walls(bool twice) {
+  SolidMedium const steel = solid_medium("steel", true);
+  double const h = size / cells;
+  GasGridSetup gas{.eos = IdealGas{1.4},
+                   .lower = {-0.5, twice ? -wide : 0, 0},
+                   .upper = {0.5, wide, high},
+                   .cells = {16, twice ? 12 : 6, 4}};
+  for (std::size_t side : {2u, 3u, 4u, 5u}) gas.sides[side].kind = GridBoundary::Kind::wall;
+  OversetSetup s{.gas = gas, .bodies = {}};
+  s.gas.options.cure = s.gas.options.linear_star = false;
+  s.gas.options.monotonicity = s.solid_options.monotonicity = s.local.monotonicity = Switch::off;
+  TriangleSurface part = clip_at_origin(make_box({thickness, 2, 2}, 0.83 * h), 0, 0);
+  for (std::size_t a : {1u, 2u}) {
+    part = clip_surface(part, a, 0, true, 0.3 * h);
+    part = clip_surface(part, a, gas.upper[a], false, 0.3 * h);
+  }
+  s.bodies.push_back({.surface = twice ? unfolded(part, 1, 0) : part,
+                      .material = steel.scheme,
+                      .cell = h,
+                      .lower = {-0.1875, -1, -1},
+                      .upper = {0.1875, 1, 1},
+                      .initial = [=](Vec3 const&) {
+                        return solid_state(steel, steel.rho0 * (1 + p0 / 175e9), {0, 0, 0}, p0);
+                      }});
+  return {std::move(s), [](Vec3 const& x) {
+            double const ripple = 0.2 * std::cos(3.14159265358979 * x[1] / wide);
+            double const push = (1 + ripple) * std::exp(-std::pow((x[0] + 0.3) / 0.1, 2));
+            return GasPoint{100 * (1 + 4 * push), {0, 0, 0}, p0 * (1 + 9 * push)};
+          }};
+}
+
 /// Largest difference of what both hold, relative to the blast's pressure, 500 m/s and a cell.
 struct Difference {
   double gas = 0, solid = 0, contact = 0, vertex = 0, yielded = 0;
@@ -118,6 +153,29 @@ TEST_CASE("a half, a quarter and an eighth of a cube are the parts of the whole"
     CHECK(some.mass == Approx(share * all.mass).epsilon(1e-11));
     CHECK(some.energy == Approx(share * all.energy).epsilon(1e-11));
   }
+}
+
+TEST_CASE("a plate between two pairs of walls is half of that of twice the width") {
+  // as above; the volume is that of the box exactly
+  OversetSolver whole = plate_between_walls(true), part = plate_between_walls(false);
+  CHECK(enclosed(*part.bodies()[0]).volume == Approx(thickness * wide * high).epsilon(1e-13));
+  Vec3 const centre = enclosed(*part.bodies()[0]).centroid;
+  CHECK(length(centre - Vec3{0, 0.5 * wide, 0.5 * high}) < 1e-13);
+  for (int n = 0; n < 25; ++n) {
+    REQUIRE(whole.step(1).status == StepStatus::ok);
+    REQUIRE(part.step(1).status == StepStatus::ok);
+  }
+  Difference const d = difference(part, whole);
+  CAPTURE(d.gas, d.solid, d.contact, d.vertex);
+  CHECK(d.gas < 1e-11);
+  CHECK(d.solid < 1e-11);
+  CHECK(d.contact < 1e-11);
+  CHECK(d.vertex < 1e-11);
+  BodyIntegrals const now = integrals(*part.bodies()[0]);
+  Vec3 const impulse = part.momenta()[0].linear;
+  CAPTURE(now.momentum[0], impulse[0], now.mass);
+  CHECK(now.momentum[0] > 1);
+  CHECK(now.mass == Approx(0.5 * integrals(*whole.bodies()[0]).mass).epsilon(1e-11));
 }
 
 TEST_CASE("a uniform stream carries a cut body along its planes and stays uniform") {
