@@ -9,29 +9,66 @@ namespace {
 
 constexpr int margin = 4;  ///< cells of a window beyond the box that the body stays in
 
-WindowBox solid_box(BodySetup const& s) {
-  WindowBox box{.lower = {}, .h = s.cell, .grid = {}, .first = {0, 0, 0}, .size = {}};
+/// Sides of the domain that are walls all over.
+Mirrors walls_of(GasGridSetup const& gas) {
+  Mirrors m{.lower = gas.lower, .upper = gas.upper};
+  auto const wall = [&](std::size_t side) {
+    for (BoundaryPatch const& p : gas.patches) {
+      if (static_cast<std::size_t>(p.side) == side) return false;
+    }
+    return gas.sides[side].kind == GridBoundary::Kind::wall;
+  };
+  for (std::size_t a = 0; a < 3; ++a) m.low[a] = wall(2 * a), m.high[a] = wall(2 * a + 1);
+  return m;
+}
+
+/// The box that a body stays in ends at the planes that cut it.
+BodySetup bounded(BodySetup s, Mirrors const& cut) {
   for (std::size_t a = 0; a < 3; ++a) {
-    int const n = static_cast<int>(std::ceil((s.upper[a] - s.lower[a]) / s.cell - 1e-9)) + 2 * margin;
-    box.grid[a] = box.size[a] = n;
-    box.lower[a] = 0.5 * (s.lower[a] + s.upper[a]) - 0.5 * n * s.cell;
+    if (cut.low[a]) s.lower[a] = cut.lower[a];
+    if (cut.high[a]) s.upper[a] = cut.upper[a];
+  }
+  return s;
+}
+
+WindowBox solid_box(BodySetup const& s, Mirrors const& cut) {
+  WindowBox box{.lower = {}, .h = s.cell, .grid = {}, .first = {0, 0, 0}, .size = {}, .mirrors = cut};
+  for (std::size_t a = 0; a < 3; ++a) {
+    double const cells = (s.upper[a] - s.lower[a]) / s.cell;
+    bool const low = cut.low[a], high = cut.high[a];
+    int const n = static_cast<int>(std::ceil(cells - 1e-9)) + (low ? 0 : margin) + (high ? 0 : margin);
+    if (low && high && (std::fabs(cells - std::round(cells)) > 1e-6 || n < margin)) {
+      throw SurfaceError("walls on both sides cut a body whose cells do not divide their distance, or are fewer than 4",
+                         "choose another width of its cells");
+    }
+    box.grid[a] = n, box.size[a] = n + (low ? margin : 0) + (high ? margin : 0);
+    box.first[a] = low ? -margin : 0;
+    double const from_middle = 0.5 * (s.lower[a] + s.upper[a]) - 0.5 * n * s.cell;
+    box.lower[a] = low ? s.lower[a] : high ? s.upper[a] - n * s.cell : from_middle;
   }
   return box;
 }
 
 WindowBox gas_box(BodySetup const& s, GasGrid const& gas) {
-  WindowBox box{.lower = gas.setup().lower, .h = gas.widths()[0], .grid = gas.cells(), .first = {}, .size = {}};
+  WindowBox box{.lower = gas.setup().lower,
+                .h = gas.widths()[0],
+                .grid = gas.cells(),
+                .first = {},
+                .size = {},
+                .mirrors = walls_of(gas.setup())};
   for (std::size_t a = 0; a < 3; ++a) {
     int const from = static_cast<int>(std::floor((s.lower[a] - box.lower[a]) / box.h)) - margin;
     int const to = static_cast<int>(std::ceil((s.upper[a] - box.lower[a]) / box.h)) + margin;
-    box.first[a] = std::clamp(from, 0, box.grid[a] - 1);
-    box.size[a] = std::clamp(to, box.first[a] + 1, box.grid[a]) - box.first[a];
+    int const beyond = std::min(margin, box.grid[a]), first = box.mirrors.low[a] ? -beyond : 0;
+    int const last = box.grid[a] + (box.mirrors.high[a] ? beyond : 0);
+    box.first[a] = std::clamp(from, first, box.grid[a] - 1);
+    box.size[a] = std::clamp(to, box.first[a] + 1, last) - box.first[a];
   }
   return box;
 }
 
-SolidGridSetup grid_setup(BodySetup const& s, SolidSchemeOptions const& options) {
-  WindowBox const box = solid_box(s);
+SolidGridSetup grid_setup(BodySetup const& s, Mirrors const& cut, SolidSchemeOptions const& options) {
+  WindowBox const box = solid_box(s, cut);
   SolidGridSetup setup{.material = s.material,
                        .lower = box.lower,
                        .upper = {},
@@ -39,19 +76,24 @@ SolidGridSetup grid_setup(BodySetup const& s, SolidSchemeOptions const& options)
                        .sides = {},
                        .source = {},
                        .options = options};
-  for (std::size_t a = 0; a < 3; ++a) setup.upper[a] = box.lower[a] + box.grid[a] * box.h;
+  for (std::size_t a = 0; a < 3; ++a) {
+    setup.upper[a] = box.lower[a] + box.grid[a] * box.h;
+    if (cut.low[a]) setup.sides[2 * a].kind = SolidBoundary::Kind::symmetry;
+    if (cut.high[a]) setup.sides[2 * a + 1].kind = SolidBoundary::Kind::symmetry;
+  }
   return setup;
 }
 
 }  // namespace
 
 Body::Body(BodySetup s, GasGrid const& gas_grid, SolidSchemeOptions const& options)
-    : setup(std::move(s)),
-      surface(setup.surface),
+    : surface(s.surface),
+      cut(find_cut(surface, walls_of(gas_grid.setup()), 1e-3 * s.cell)),
+      setup(bounded(std::move(s), cut.mirrors)),
       around(surface.vertices.size()),
       triangles(surface.size()),
-      grid(grid_setup(setup, options)),
-      solid(solid_box(setup), true),
+      grid(grid_setup(setup, cut.mirrors, options)),
+      solid(solid_box(setup, cut.mirrors), true),
       gas(gas_box(setup, gas_grid), false) {
   for (std::size_t t = 0; t < surface.size(); ++t) {
     for (int v : surface.triangles[t]) around[static_cast<std::size_t>(v)].push_back(static_cast<int>(t));
@@ -84,7 +126,11 @@ void Body::move_vertices(double dt) {
     }
     velocity[v] = (1 / sum) * total;
   }
-  for (std::size_t v = 0; v < velocity.size(); ++v) surface.vertices[v] = surface.vertices[v] + dt * velocity[v];
+  for (std::size_t v = 0; v < velocity.size(); ++v) {
+    for (std::size_t a = 0; a < 3; ++a) {
+      if (!cut.on_planes[v][a]) surface.vertices[v][a] += dt * velocity[v][a];
+    }
+  }
 }
 
 std::array<Vec3, 2> Body::velocity_gradient(std::size_t triangle, ModelStencil const& s) const {

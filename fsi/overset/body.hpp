@@ -11,7 +11,7 @@
 namespace g27 {
 
 struct BodySetup {
-  TriangleSurface surface;
+  TriangleSurface surface;  ///< closed, or open where walls of the domain cut the body: clip_surface
   AnySolid material{};
   double cell = 1;                                 ///< width of the cells of its grid [m]
   Vec3 lower{0, 0, 0}, upper{1, 1, 1};             ///< box that the body stays in [m]
@@ -44,13 +44,18 @@ struct Region {
   Donors<Fields> donors;
 
   Region(WindowBox const& box, bool inside) : kinds(box, inside), states(kinds.count()), donors(kinds, states) {}
+  /// States of the images of cells.
+  void reflect() {
+    for (ImageCell const& i : kinds.images()) states[i.cell] = reflected(states[i.of], i.image);
+  }
   Region(Region const&) = delete;
   Region& operator=(Region const&) = delete;
 };
 
 struct Body {
-  BodySetup setup;
   TriangleSurface surface;
+  Cut cut;
+  BodySetup setup;
   std::vector<std::vector<int>> around;  ///< [vertex]: triangles
   std::vector<TriangleState> triangles;
   SolidGrid grid;

@@ -7,6 +7,12 @@ namespace g27 {
 
 namespace {
 
+/// Integral over a triangle of the product of two linear functions with these values at its corners, over its area.
+double mean_product(Vec3 const& f, Vec3 const& g) noexcept {
+  double const sum = (f[0] + f[1] + f[2]) * (g[0] + g[1] + g[2]);
+  return (sum + dot(f, g)) / 12;
+}
+
 /// Part of a cell within the surface, and the sum of the places of its pieces.
 struct Part {
   double share = 0;
@@ -21,6 +27,7 @@ std::vector<Part> parts_of(Body const& body, int rays) {
   double const piece = 1.0 / (rays * rays), inverse = 1 / box.h;
   for (int k = 0; k < box.size[2]; ++k) {
     for (int j = 0; j < box.size[1]; ++j) {
+      if (kinds.is_image(static_cast<std::size_t>(kinds.index({-box.first[0], j, k})))) continue;
       Vec3 const middle = kinds.centre({0, j, k});
       for (int ray = 0; ray < rays * rays; ++ray) {
         double const y = middle[1] + ((ray % rays + 0.5) / rays - 0.5) * box.h;
@@ -46,13 +53,37 @@ std::vector<Part> parts_of(Body const& body, int rays) {
 
 }  // namespace
 
+Enclosed enclosed(Body const& body) {
+  // By the divergence of x_k F along an axis k that at most one plane cuts, with x_k = 0 there: then neither that
+  // plane's part of the boundary counts nor those of planes across other axes.
+  Mirrors const& m = body.cut.mirrors;
+  std::size_t axis = 0;
+  while (axis < 2 && m.low[axis] && m.high[axis]) ++axis;
+  BoundingBox const box = bounding_box(body.surface);
+  Vec3 origin = 0.5 * (box.lower + box.upper);
+  if (m.across(axis)) origin[axis] = m.low[axis] ? m.lower[axis] : m.upper[axis];
+  Enclosed out;
+  for (std::size_t t = 0; t < body.surface.size(); ++t) {
+    auto const corners = body.surface.corners(t);
+    double const area = body.surface.area_vector(t)[axis];
+    std::array<Vec3, 3> x;  // [axis][corner]
+    for (std::size_t a = 0; a < 3; ++a) {
+      for (std::size_t c = 0; c < 3; ++c) x[a][c] = corners[c][a] - origin[a];
+    }
+    out.volume += area / 3 * (x[axis][0] + x[axis][1] + x[axis][2]);
+    for (std::size_t a = 0; a < 3; ++a) out.centroid[a] += (a == axis ? 0.5 : 1.0) * area * mean_product(x[axis], x[a]);
+  }
+  out.centroid = (1 / out.volume) * out.centroid + origin;
+  return out;
+}
+
 BodyIntegrals integrals(Body const& body, int rays) {
   namespace f = solid_field_of;
   CellKinds const& kinds = body.solid.kinds;
   auto const parts = parts_of(body, rays);
   double const cell = std::pow(kinds.box().h, 3);
   BodyIntegrals out;
-  out.volume = mass_properties(body.surface).volume;
+  out.volume = enclosed(body).volume;
   double all = 0, cut = 0;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     all += parts[i].share;

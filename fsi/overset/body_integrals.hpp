@@ -4,6 +4,14 @@
 
 namespace g27 {
 
+/// Of the polyhedron within the surface and the planes of symmetry that cut it: exact.
+struct Enclosed {
+  double volume = 0;       ///< [m^3]
+  Vec3 centroid{0, 0, 0};  ///< [m]
+};
+Enclosed enclosed(Body const& body);
+
+/// Of a body that planes of symmetry cut: of the part within the domain.
 struct BodyIntegrals {
   double volume = 0, mass = 0;      ///< [m^3], [kg]
   Vec3 centre{0, 0, 0};             ///< of mass [m]

@@ -121,14 +121,18 @@ ModelStencil Body::stencil(std::size_t triangle) const {
     slope[k] = slope_of(s.solid[k], there[k]);
     if (!slope[k].known && k < 2) slope[k] = slope[k + 1];
   }
-  // the triangle whose centre is nearest: what acts on that side of the body
+  // the triangle, or its image, whose centre is nearest: what acts on that side of the body
+  struct Wall {
+    Vec3 n;
+    double pressure;
+  };
   auto const wall_at = [&](Vec3 const& x) {
     double best = 1e300;
-    TriangleState const* found = &t;
+    Wall found{f.n, t.pressure};
     solid.donors.for_each_near(x, 2, [&](CloudPoint<SolidFields> const& point) {
       TriangleState const& other = triangles[static_cast<std::size_t>(point.triangle)];
-      Vec3 const r = other.centre - x;
-      if (dot(r, r) < best) best = dot(r, r), found = &other;
+      Vec3 const r = cut.mirrors.image(other.centre, point.image) - x;
+      if (dot(r, r) < best) best = dot(r, r), found = {reflected(other.frame.n, point.image), other.pressure};
     });
     return found;
   };
@@ -136,11 +140,11 @@ ModelStencil Body::stencil(std::size_t triangle) const {
     double const layer = static_cast<double>(k);
     bool const behind = k > 0 && !there[k][1][1];  // the body ends before this layer
     if (behind) {
-      TriangleState const* const wall = wall_at(place(-layer * h, h, 1, 1));
+      double const pressure = wall_at(place(-layer * h, h, 1, 1)).pressure;
       for (std::size_t a = 0; a < 3; ++a) {
         for (std::size_t b = 0; b < 3; ++b) {
           s.solid[k][a][b] = s.solid[k - 1][a][b], s.solid_smooth[k][a][b] = s.solid_smooth[k - 1][a][b];
-          set_traction(s.solid[k][a][b], {1, 0, 0}, wall->pressure);
+          set_traction(s.solid[k][a][b], {1, 0, 0}, pressure);
           s.solid_ghost[k][a][b] = true;
         }
       }
@@ -163,8 +167,8 @@ ModelStencil Body::stencil(std::size_t triangle) const {
         }
         SolidFields q = centre;
         Vec3 const side = place(-(layer + 0.5) * h, 0.5 * h, a, b);
-        TriangleState const* const wall = wall_at(side);
-        set_traction(q, f.into(wall->frame.n), wall->pressure);
+        Wall const wall = wall_at(side);
+        set_traction(q, f.into(wall.n), wall.pressure);
         for (std::size_t c = 0; c < 3; ++c) q[field::u + c] = smooth[field::u + c];
         s.solid[k][a][b] = q, s.solid_smooth[k][a][b] = smooth, s.solid_ghost[k][a][b] = true;
       }

@@ -1,6 +1,7 @@
 #include "fsi/overset/closure.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 
 namespace g27 {
 
@@ -11,7 +12,7 @@ BodyMomentum momentum_of(Body const& body) {
 
 void add_impulse(Body const& body, double dt, BodyMomentum& held) {
   // about a fixed point the round-off of a body that is carried along would grow with its way
-  Vec3 const centre = mass_properties(body.surface).centroid;
+  Vec3 const centre = enclosed(body).centroid;
   for (TriangleState const& t : body.triangles) {
     Vec3 const push = (-dt * t.pressure * t.area) * t.frame.n;
     held.linear = held.linear + push, held.angular = held.angular + cross(t.centre - centre, push);
@@ -20,8 +21,17 @@ void add_impulse(Body const& body, double dt, BodyMomentum& held) {
 
 double close_momentum(Body& body, BodyMomentum const& held) {
   BodyIntegrals const now = integrals(body);
-  Vec3 const du = (1 / now.mass) * (held.linear - now.momentum), lacking = held.angular - now.angular;
-  auto const& m = now.inertia;
+  Vec3 du = (1 / now.mass) * (held.linear - now.momentum), lacking = held.angular - now.angular;
+  auto m = now.inertia;
+  // A plane holds the motion along its normal and lets turns about it alone; the whole body's products of inertia with
+  // that axis vanish.
+  for (std::size_t a = 0; a < 3; ++a) {
+    if (!body.cut.mirrors.across(a)) continue;
+    du[a] = 0;
+    for (std::size_t b = 0; b < 3; ++b) {
+      if (b != a) lacking[b] = 0, m[tensor_place[std::min(a, b)][std::max(a, b)]] = 0;
+    }
+  }
   Eigen::Matrix3d I;
   I << m[1] + m[2], -m[3], -m[4], -m[3], m[0] + m[2], -m[5], -m[4], -m[5], m[0] + m[1];
   Eigen::Vector3d const turn = I.inverse() * Eigen::Vector3d(lacking[0], lacking[1], lacking[2]);

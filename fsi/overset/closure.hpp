@@ -17,7 +17,7 @@ BodyMomentum momentum_of(Body const& body);
 void add_impulse(Body const& body, double dt, BodyMomentum& held);
 
 /// The velocity field du + omega x (x - centre) that brings the body to what it holds; added to its cells and cores.
-/// Returns |du| [m/s].
+/// Of a body that planes of symmetry cut, the part of that motion which the planes allow. Returns |du| [m/s].
 double close_momentum(Body& body, BodyMomentum const& held);
 
 }  // namespace g27

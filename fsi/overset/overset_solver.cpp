@@ -74,8 +74,11 @@ struct OversetSolver::Impl {
     for (auto const& b : bodies) {
       double const h = b->setup.cell, h_gas = gas.widths()[0];
       for (TriangleState& t : b->triangles) {
+        Mirrors const &walls = b->gas.kinds.box().mirrors, &cuts = b->cut.mirrors;
         for (std::size_t k = 0; k < core_layers; ++k) {
-          t.gas[k] = gas_at(core_centre(t, k, h_gas)), t.solid[k] = solid_at(*b, core_centre(t, k, -h));
+          Vec3 const x = core_centre(t, k, h_gas), y = core_centre(t, k, -h);
+          t.gas[k] = reflected(gas_at(walls.within(x)), walls.image_at(x));
+          t.solid[k] = reflected(solid_at(*b, cuts.within(y)), cuts.image_at(y));
         }
         t.velocity = velocity_of(solid_at(*b, t.centre)), t.pressure = t.gas[0][gas_field::p];
       }
@@ -95,8 +98,10 @@ struct OversetSolver::Impl {
       auto const read = [&](auto& region, auto const& state) {
         for (std::size_t i = 0; i < region.kinds.count(); ++i) {
           bool const own = all || region.kinds.kind_before(i) == CellKind::deep;
-          if (own && region.kinds.valid(i)) region.states[i] = state(region.kinds.in_grid(region.kinds.cell(i)));
+          if (own && region.kinds.valid(i) && !region.kinds.is_image(i))
+            region.states[i] = state(region.kinds.in_grid(region.kinds.cell(i)));
         }
+        region.reflect();
       };
       read(b->gas, [&](Int3 const& c) { return fields_of(setup.gas.eos, gas.average(c)); });
       read(b->solid, [&](Int3 const& c) { return fields_of(b->setup.material.eos, b->grid.average(c)); });
@@ -107,17 +112,26 @@ struct OversetSolver::Impl {
     for (auto const& b : bodies) {
       std::vector<CloudPoint<SolidFields>> solid;
       std::vector<CloudPoint<GasFields>> gas_points;
+      // and its images
+      auto const add = [](auto& points, CellKinds const& kinds, Vec3 const& x, auto const& q, int triangle) {
+        if (near(kinds, x)) points.push_back({x, q, triangle});
+        Mirrors const& mirrors = kinds.box().mirrors;
+        mirrors.for_each([&](Image const& at) {
+          Vec3 const y = mirrors.image(x, at);
+          if (near(kinds, y)) points.push_back({y, reflected(q, at), triangle, -1, at});
+        });
+      };
       for (auto const& other : bodies) {
         double const h_gas = gas.widths()[0];
         for (std::size_t n = 0; n < other->triangles.size(); ++n) {
           TriangleState const& t = other->triangles[n];
+          int const number = static_cast<int>(n);
           for (std::size_t k = 0; k < core_layers; ++k) {
             Vec3 const x = core_centre(t, k, h_gas);
-            if (near(b->gas.kinds, x) && b->gas.kinds.in_medium(x))
-              gas_points.push_back({x, t.gas[k], static_cast<int>(n)});
+            if (near(b->gas.kinds, x) && b->gas.kinds.in_medium(x)) add(gas_points, b->gas.kinds, x, t.gas[k], number);
             if (other != b) continue;
             Vec3 const y = core_centre(t, k, -b->setup.cell);
-            if (k == 0 || b->solid.kinds.in_medium(y)) solid.push_back({y, t.solid[k], static_cast<int>(n)});
+            if (k == 0 || b->solid.kinds.in_medium(y)) add(solid, b->solid.kinds, y, t.solid[k], number);
           }
         }
       }
@@ -149,7 +163,8 @@ struct OversetSolver::Impl {
       Vec3 mean{0, 0, 0};
       for (TriangleState const& t : b->triangles)
         mean = mean + (1.0 / static_cast<double>(b->triangles.size())) * t.velocity;
-      for (std::size_t a = 0; a < 3; ++a) b->background[solid_field_of::u + a] = mean[a];
+      for (std::size_t a = 0; a < 3; ++a)
+        b->background[solid_field_of::u + a] = b->cut.mirrors.across(a) ? 0.0 : mean[a];
       fill(b->solid, started, b->background, cells,
            [&](SolidFields const& q) { solid_averages.push_back(densities_of(q)); });
       b->grid.replace(cells, solid_averages);
@@ -163,11 +178,12 @@ struct OversetSolver::Impl {
       std::vector<Int3> cells;
       std::vector<SolidDensities> averages;
       for (std::size_t i = 0; i < b.solid.kinds.count(); ++i) {
-        if (!b.solid.kinds.valid(i)) continue;
+        if (!b.solid.kinds.valid(i) || b.solid.kinds.is_image(i)) continue;
         cells.push_back(b.solid.kinds.in_grid(b.solid.kinds.cell(i))),
             averages.push_back(densities_of(b.solid.states[i]));
       }
       b.grid.replace(cells, averages);
+      b.solid.reflect();
     }
     set_clouds();
   }
@@ -178,6 +194,7 @@ struct OversetSolver::Impl {
     CellKinds const& kinds = region.kinds;
     std::vector<std::size_t> wanted, fringe;
     for (std::size_t i = 0; i < kinds.count(); ++i) {
+      if (kinds.is_image(i)) continue;
       if (kinds.valid(i)) {
         if (!started && kinds.kind_before(i) != CellKind::deep) wanted.push_back(i);
       } else if (kinds.fringe(i)) {
@@ -195,6 +212,7 @@ struct OversetSolver::Impl {
       region.states[wanted[n]] = filled[n];
       cells.push_back(kinds.in_grid(kinds.cell(wanted[n]))), put(filled[n]);
     }
+    region.reflect();
     filled.resize(fringe.size());
 #pragma omp parallel for num_threads(threads) schedule(dynamic, 32)
     for (std::size_t n = 0; n < fringe.size(); ++n) {

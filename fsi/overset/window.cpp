@@ -49,6 +49,18 @@ CellKinds::CellKinds(WindowBox const& box, bool inside) : box_(box), inside_(ins
                         static_cast<std::size_t>(box.size[2]);
   kinds_.assign(n, CellKind::foreign), before_ = kinds_, fringe_.assign(n, 0);
   columns_.resize(static_cast<std::size_t>(box.size[1]) * static_cast<std::size_t>(box.size[2]));
+  is_image_.assign(n, 0);
+  for (std::size_t i = 0; i < n; ++i) {
+    Int3 of = cell(i);
+    Image image{0, 0, 0};
+    for (std::size_t a = 0; a < 3; ++a) {
+      int const at = of[a] + box.first[a], last = box.grid[a] - 1;
+      image[a] = at < 0 ? -1 : at > last ? 1 : 0;
+      if (image[a] != 0) of[a] = (at < 0 ? -1 - at : 2 * last + 1 - at) - box.first[a];
+    }
+    if (image == Image{0, 0, 0}) continue;
+    is_image_[i] = 1, images_.push_back({i, static_cast<std::size_t>(index(of)), image});
+  }
 }
 
 Int3 CellKinds::cell(std::size_t i) const noexcept {
@@ -76,7 +88,20 @@ void CellKinds::classify(std::span<TriangleSurface const* const> surfaces) {
   std::swap(before_, kinds_);
   std::fill(kinds_.begin(), kinds_.end(), CellKind::foreign);
   for (auto& c : columns_) c.clear();
-  mark_cut(), mark_sides(), mark_depth();
+  lids_.clear();
+  for (TriangleSurface const* s : surfaces_) {
+    double area = 0;  // of the lid that is missing, along its inward normal
+    for (std::size_t t = 0; t < s->size(); ++t) area += s->area_vector(t)[0];
+    lids_.push_back(area > 0 ? box_.mirrors.lower[0] : box_.mirrors.upper[0]);
+  }
+  mark_cut(), mark_sides();
+  reflect_kinds();
+  mark_depth();
+  reflect_kinds();
+}
+
+void CellKinds::reflect_kinds() {
+  for (ImageCell const& i : images_) kinds_[i.cell] = kinds_[i.of], fringe_[i.cell] = fringe_[i.of];
 }
 
 void CellKinds::mark_cut() {
@@ -90,7 +115,7 @@ void CellKinds::mark_cut() {
         for (std::size_t a = 0; a < 3; ++a) low[a] = std::min(low[a], c[a]), high[a] = std::max(high[a], c[a]);
       }
       bool outside = false;
-      for (std::size_t a = 0; a < 3; ++a) {
+      for (std::size_t a = 1; a < 3; ++a) {  // lines along x count those before and behind the window as well
         double const from = box_.lower[a] + box_.first[a] * box_.h, to = from + box_.size[a] * box_.h;
         outside = outside || high[a] < from || low[a] > to;
       }
@@ -111,10 +136,15 @@ void CellKinds::mark_cut() {
 
 void CellKinds::crossings(int j, int k, double y, double z, std::vector<double>& x) const {
   x.clear();
-  for (Crossing const& at : columns_[column(j, k)]) {
-    double where = 0;
-    TriangleSurface const& surface = *surfaces_[static_cast<std::size_t>(at.surface)];
-    if (crosses_line(surface.corners(static_cast<std::size_t>(at.triangle)), y, z, where)) x.push_back(where);
+  auto const& over = columns_[column(j, k)];
+  for (std::size_t n = 0; n < over.size();) {
+    std::size_t const s = static_cast<std::size_t>(over[n].surface), others = x.size();
+    for (; n < over.size() && over[n].surface == static_cast<int>(s); ++n) {
+      double where = 0;
+      if (crosses_line(surfaces_[s]->corners(static_cast<std::size_t>(over[n].triangle)), y, z, where))
+        x.push_back(where);
+    }
+    if ((x.size() - others) % 2 == 1) x.push_back(lids_[s]);
   }
   std::sort(x.begin(), x.end());
 }
@@ -155,18 +185,15 @@ void CellKinds::mark_depth() {
   }
 }
 
-bool CellKinds::in_medium(Vec3 const& x) const noexcept {
+bool CellKinds::in_medium(Vec3 const& point) const noexcept {
+  Vec3 const x = box_.mirrors.within(point);
   Int3 const c = cell_of(x);
   std::size_t const i = static_cast<std::size_t>(index(c));
   if (kinds_[i] != CellKind::cut) return valid(i);
-  bool odd = false;
-  for (Crossing const& at : columns_[column(c[1], c[2])]) {
-    double crossing = 0;
-    TriangleSurface const& surface = *surfaces_[static_cast<std::size_t>(at.surface)];
-    if (crosses_line(surface.corners(static_cast<std::size_t>(at.triangle)), x[1], x[2], crossing) && crossing > x[0])
-      odd = !odd;
-  }
-  return odd == inside_;
+  thread_local std::vector<double> crossed;
+  crossings(c[1], c[2], x[1], x[2], crossed);
+  auto const behind = std::count_if(crossed.begin(), crossed.end(), [&](double at) { return at > x[0]; });
+  return (behind % 2 == 1) == inside_;
 }
 
 }  // namespace g27

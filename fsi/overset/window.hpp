@@ -2,8 +2,7 @@
 /// The part of a Cartesian grid around the bodies' surfaces: which medium its cells belong to, and their states.
 #include <span>
 
-#include "fsi/overset/fields.hpp"
-#include "fsi/surface/triangle_surface.hpp"
+#include "fsi/overset/mirrors.hpp"
 
 namespace g27 {
 
@@ -20,8 +19,9 @@ struct WindowBox {
   Vec3 lower{0, 0, 0};  ///< corner of the grid's cell (0, 0, 0) [m]
   double h = 1;         ///< [m]
   Int3 grid{1, 1, 1};   ///< cells of the grid
-  Int3 first{0, 0, 0};  ///< first cell of the window, in the grid
+  Int3 first{0, 0, 0};  ///< first cell of the window, in the grid; negative: an image beyond a mirror
   Int3 size{0, 0, 0};   ///< cells
+  Mirrors mirrors{};    ///< on sides of the grid
 };
 
 /// Points of which the cloud's states are known, binned by the window's cells.
@@ -31,6 +31,13 @@ struct CloudPoint {
   Fields q;
   int triangle = 0;  ///< whose core it is
   int next = -1;     ///< the next one in the same cell
+  Image image{0, 0, 0};
+};
+
+/// A cell of a window beyond mirrors, and that whose image it is.
+struct ImageCell {
+  std::size_t cell, of;
+  Image image;
 };
 
 /// Geometry: kinds of the cells.
@@ -39,7 +46,8 @@ class CellKinds {
   /// `inside`: the medium lies within the surfaces.
   CellKinds(WindowBox const& box, bool inside);
 
-  /// Kinds by where the surfaces are now. The window must reach two cells beyond them, or to the grid's side.
+  /// Kinds by where the surfaces are now. The window must reach two cells beyond them, or to the grid's side. A surface
+  /// may be open on mirrors.
   void classify(std::span<TriangleSurface const* const> surfaces);
 
   [[nodiscard]] WindowBox const& box() const noexcept { return box_; }
@@ -59,6 +67,9 @@ class CellKinds {
   [[nodiscard]] Int3 in_grid(Int3 const& cell) const noexcept {
     return {cell[0] + box_.first[0], cell[1] + box_.first[1], cell[2] + box_.first[2]};
   }
+  /// Cells of the window that are not of the grid.
+  [[nodiscard]] std::span<ImageCell const> images() const noexcept { return images_; }
+  [[nodiscard]] bool is_image(std::size_t i) const noexcept { return is_image_[i] != 0; }
   [[nodiscard]] Vec3 centre(Int3 const& cell) const noexcept;
   /// The cell that a point lies in, or the nearest one of the window.
   [[nodiscard]] Int3 cell_of(Vec3 const& x) const noexcept;
@@ -67,7 +78,8 @@ class CellKinds {
   [[nodiscard]] bool valid(std::size_t i) const noexcept { return kinds_[i] >= CellKind::shallow; }
   /// Whether a point belongs to the medium: by its cell, in a cut one by counting the surfaces along a ray.
   [[nodiscard]] bool in_medium(Vec3 const& x) const noexcept;
-  /// Where the line along x through (y, z), which lies over column (j, k), crosses the surfaces: ascending.
+  /// Where the line along x through (y, z), which lies over column (j, k), crosses the surfaces, and the mirror that
+  /// closes them: ascending.
   void crossings(int j, int k, double y, double z, std::vector<double>& x) const;
   /// A foreign or cut cell with a valid one around it.
   [[nodiscard]] bool fringe(std::size_t i) const noexcept { return fringe_[i] != 0; }
@@ -82,12 +94,15 @@ class CellKinds {
   void mark_cut();
   void mark_sides();
   void mark_depth();
+  void reflect_kinds();
 
   WindowBox box_;
   bool inside_;
   std::vector<CellKind> kinds_, before_;
-  std::vector<unsigned char> fringe_;
+  std::vector<unsigned char> fringe_, is_image_;
+  std::vector<ImageCell> images_;
   std::vector<TriangleSurface const*> surfaces_;
+  std::vector<double> lids_;                    ///< [surface]: the mirror across x that closes it, where one does
   std::vector<std::vector<Crossing>> columns_;  ///< triangles over each column of cells along x
 };
 

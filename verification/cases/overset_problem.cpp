@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "fsi/surface/clip.hpp"
 #include "riemann/eos/factory.hpp"
 #include "verification/cases/grid_run.hpp"
 #include "verification/cases/run_facts.hpp"
@@ -13,6 +14,21 @@ namespace g27 {
 
 GasGridSetup gas_cube(AnyEos const& eos, double size, int cells) {
   return {.eos = eos, .lower = {0, 0, 0}, .upper = {size, size, size}, .cells = {cells, cells, cells}};
+}
+
+GasGridSetup symmetric_cube(AnyEos const& eos, double size, int cells, int planes) {
+  GasGridSetup s{.eos = eos};
+  for (std::size_t a = 0; a < 3; ++a) {
+    bool const cut = static_cast<int>(a) < planes;
+    s.lower[a] = cut ? 0 : -0.5 * size, s.upper[a] = 0.5 * size, s.cells[a] = cut ? cells / 2 : cells;
+    if (cut) s.sides[2 * a].kind = GridBoundary::Kind::wall;
+  }
+  return s;
+}
+
+TriangleSurface clip_at_origin(TriangleSurface s, int planes, double snap) {
+  for (int a = 0; a < planes; ++a) s = clip_surface(std::move(s), static_cast<std::size_t>(a), 0, true, snap);
+  return s;
 }
 
 TriangleSurface placed(TriangleSurface surface, Vec3 const& axis, double angle, Vec3 const& centre) {

@@ -21,6 +21,13 @@ struct OversetProblem {
 /// A cube of `cells` cells of gas along [0, size].
 GasGridSetup gas_cube(AnyEos const& eos, double size, int cells);
 
+/// The same about the origin; the first `planes` planes x = 0, y = 0, z = 0 are walls, and what lies below them is left
+/// out. The number of cells is even.
+GasGridSetup symmetric_cube(AnyEos const& eos, double size, int cells, int planes);
+
+/// The part of the surface above the first `planes` of the planes x = 0, y = 0, z = 0; `snap` as of clip_surface.
+TriangleSurface clip_at_origin(TriangleSurface surface, int planes, double snap);
+
 /// The surface turned by `angle` about `axis` (of any length) and moved to `centre`.
 TriangleSurface placed(TriangleSurface surface, Vec3 const& axis, double angle, Vec3 const& centre);
 
