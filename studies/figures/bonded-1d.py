@@ -39,7 +39,7 @@ def main():
     for axis, (group, variable) in zip(axes[2:], (("P", "right_velocity_x"), ("S, pre-stress", "contact_velocity_y"))):
         for scheme in sorted(set(errors["scheme"])):
             rows = ((errors["scheme"] == scheme) & (errors["variable"] == variable) & (errors["group"] == group)
-                    & (errors["eos"] == "steel-aluminium"))
+                    & (errors["law"] == "steel-aluminium"))
             axis.loglog(errors["h"][rows], errors["l1"][rows], "o-", ms=4, lw=1, label=scheme)
         axis.set_xlabel("cell width [m]", fontsize=8)
         axis.set_title(f"{group}: L1 error of {variable.replace('_', ' ')}", fontsize=9)
