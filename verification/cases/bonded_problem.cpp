@@ -32,7 +32,16 @@ struct History {
   std::vector<double> dt, value[6], exact[6];
 };
 
-void compare(SolidLine const& line, BondedProblem::Side const& side, std::string const& prefix, CaseResult& r) {
+void hold(std::string const& variable, std::vector<double> const& value, std::vector<double> const& reference,
+          std::vector<double> const& measure, CaseResult& r) {
+  r.errors[variable] = norms(value, reference, measure);
+  r.overshoot[variable] = overshoot(value, reference);
+  r.tv_excess[variable] = tv_excess(value, reference);
+}
+
+/// One side; adds its cells to the profiles and to `measures`.
+void compare(SolidLine const& line, BondedProblem::Side const& side, std::string const& prefix,
+             std::vector<double>& measures, CaseResult& r) {
   std::vector<double> measure(line.cells());
   auto const& names = solid_variables();
   std::vector<std::vector<double>> value(names.size()), reference(names.size());
@@ -45,14 +54,12 @@ void compare(SolidLine const& line, BondedProblem::Side const& side, std::string
     for (std::size_t v = 0; v < names.size(); ++v) value[v].push_back(ours[v]), reference[v].push_back(exact[v]);
   }
   for (std::size_t v = 0; v < names.size(); ++v) {
-    std::string const variable = prefix + names[v];
-    r.errors[variable] = norms(value[v], reference[v], measure);
-    r.overshoot[variable] = overshoot(value[v], reference[v]);
-    r.tv_excess[variable] = tv_excess(value[v], reference[v]);
+    hold(prefix + names[v], value[v], reference[v], measure, r);
     std::vector<double>&profile = r.profile[names[v]], &exact = r.profile_ref[names[v]];
     profile.insert(profile.end(), value[v].begin(), value[v].end());
     exact.insert(exact.end(), reference[v].begin(), reference[v].end());
   }
+  measures.insert(measures.end(), measure.begin(), measure.end());
 }
 
 LedgerEntry sum(LedgerEntry const& a, LedgerEntry const& b) {
@@ -126,8 +133,11 @@ CaseResult run_problem(std::string const& name, int cells, BondedProblem const& 
   }
   r.counters.retried = line.retried();
   r.ledger = case_ledger(sum(line.left().ledger(), line.right().ledger()));
-  compare(line.left(), problem.left, "left_", r);
-  compare(line.right(), problem.right, "right_", r);
+  std::vector<double> measures;
+  compare(line.left(), problem.left, "left_", measures, r);
+  compare(line.right(), problem.right, "right_", measures, r);
+  for (std::string const& v : solid_variables()) hold(v, r.profile[v], r.profile_ref[v], measures, r);
+  combine_velocity(r);
   r.rho = r.profile["density"], r.u = r.profile["velocity_x"], r.p = r.profile["pressure"];
   r.rho_ref = r.profile_ref["density"], r.u_ref = r.profile_ref["velocity_x"], r.p_ref = r.profile_ref["pressure"];
   char const* const names[6]{"contact_velocity_x", "contact_velocity_y", "contact_velocity_z",

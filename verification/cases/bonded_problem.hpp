@@ -28,8 +28,9 @@ std::vector<std::string> bonded_pairs();
 std::pair<SolidMedium, SolidMedium> bonded_media(std::string const& pair, bool plastic);
 
 /// Runs the problem with as many cells on the right as on the left; throws std::runtime_error when a step fails.
-/// Errors: every variable of solid_variables() with left_ and right_ before it, and in time contact_velocity_x.. and
-/// contact_traction_x.., held against the middle of each step. Profiles: both solids, from left to right.
+/// Errors: velocity and every variable of solid_variables() over both solids, the latter of each with left_ and right_
+/// before it, and in time contact_velocity_x.. and contact_traction_x.., held against the middle of each step.
+/// Profiles: both solids, from left to right.
 CaseResult run_problem(std::string const& name, int cells, BondedProblem const& problem, CaseOptions const& options);
 
 }  // namespace g27
