@@ -72,10 +72,9 @@ StepReport GasSolidLine::step(double t_end) {
       report.cell = gas_end_ == LineEnd::right ? gas_.cells() - 1 : 0;
       continue;
     }
-    LineContacts const contacts{.left = found.contact, .right = found.contact};
-    report = gas_.attempt(dt, contacts);
+    report = gas_.attempt(dt, {.left = found.contact, .right = found.contact});
     if (report.status != StepStatus::ok) continue;
-    report = solid_.attempt(dt, contacts);
+    report = solid_.attempt(dt, {.left = found.contact, .right = found.contact});
     if (report.status != StepStatus::ok) {
       report.cell += gas_.cells();
       continue;

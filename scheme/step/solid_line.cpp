@@ -146,7 +146,8 @@ void SolidLine::set_averages(std::function<SolidDensities(double x0, double x1)>
 StepReport SolidLine::step(double t_end) { return impl_->step(t_end); }
 double SolidLine::next_dt(double t_end, double shrink) const { return impl_->choose_dt(t_end, shrink); }
 SolidTrace SolidLine::trace(LineEnd end, double dt) { return impl_->trace(end, dt); }
-StepReport SolidLine::attempt(double dt, LineContacts const& contacts) {
+BondedSide SolidLine::bonded_side(LineEnd end, double dt) { return impl_->bonded_side(end, dt); }
+StepReport SolidLine::attempt(double dt, SolidContacts const& contacts) {
   impl_->contacts = contacts;
   return impl_->attempt(dt, false);
 }

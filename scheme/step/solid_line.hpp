@@ -10,8 +10,10 @@
 /// and the return to the yield surface. Planar lines have all velocities and stresses, curved ones no shear.
 #include <cstddef>
 #include <memory>
+#include <variant>
 #include <vector>
 
+#include "riemann/contact/solid_solid.hpp"
 #include "riemann/contact/solid_trace.hpp"
 #include "riemann/solid/material.hpp"
 #include "scheme/step/gas_line.hpp"
@@ -27,6 +29,12 @@ struct SolidLineSetup {
   /// move
   SolidBoundary left{.kind = SolidBoundary::Kind::free}, right{.kind = SolidBoundary::Kind::free};
   SolidSchemeOptions options{};  ///< those that speak of threads, tiles and transverse terms are not used
+};
+
+/// What is found at the ends of a solid line that are contacts: of one that slips, or of one bonded to another solid.
+/// Velocities along +x; of an end that has another boundary it is not read.
+struct SolidContacts {
+  std::variant<Contact, BondedContact> left{}, right{};
 };
 
 class SolidLine {
@@ -52,8 +60,10 @@ class SolidLine {
   /// Velocity of the surface at that end over the pressure on it, in the middle of a step of dt; along the normal into
   /// the solid.
   [[nodiscard]] SolidTrace trace(LineEnd end, double dt);
+  /// What leaves the solid at that end in the middle of a step of dt, for an end bonded to another solid.
+  [[nodiscard]] BondedSide bonded_side(LineEnd end, double dt);
   /// A step of dt up to the new state; what is not `ok` leaves nothing to accept.
-  StepReport attempt(double dt, LineContacts const& contacts);
+  StepReport attempt(double dt, SolidContacts const& contacts);
   /// The state that the last attempt left becomes the state.
   void accept();
 

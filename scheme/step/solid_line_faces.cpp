@@ -168,18 +168,22 @@ SolidBoundaryArguments SolidLine::Impl::boundary_arguments(bool low, double dt, 
 void SolidLine::Impl::boundary_face(bool low, double dt) {
   SolidBoundary const& b = low ? setup.left : setup.right;
   if (b.kind == SolidBoundary::Kind::symmetry) return;
+  bool const shared = b.kind == SolidBoundary::Kind::contact;
+  auto const& met = low ? contacts.left : contacts.right;
+  SolidFace<double>& f = face(low ? 0 : cells());
+  if (auto const* const bonded = shared ? std::get_if<BondedContact>(&met) : nullptr) {
+    f = bonded_face(low, dt, *bonded);
+    return;
+  }
   RidingCells const around = cells_at_end(low);
   SolidBoundaryArguments const g = boundary_arguments(low, dt, around);
   Vec3 value = given_value(b, 0, {low ? line.x.front() : line.x.back(), 0, 0}, time, dt);
-  bool const shared = b.kind == SolidBoundary::Kind::contact;
-  Contact const& contact = low ? contacts.left : contacts.right;
-  if (shared) value = {-contact.p, 0, 0};
+  if (shared) value = {-std::get<Contact>(met).p, 0, 0};
   SolidFrameRows const q(g.cells, 0, solid_cell::fields), terms(term.rows(), 0, solid_cell::terms);
-  SolidFace<double>& f = face(low ? 0 : cells());
   f = solid_boundary_face<RidingCells, double>(g, around, q, hoops > 0 ? &terms : nullptr, low ? 0 : cells() - 1,
                                                {{value[0], value[1], value[2]}});
   // the contact's velocity is the surface's at this pressure; from its own solver, so that both media have the same
-  if (shared) f.u[0] = contact.u;
+  if (shared) f.u[0] = std::get<Contact>(met).u;
 }
 
 }  // namespace g27

@@ -38,7 +38,7 @@ struct SolidLine::Impl {
   std::vector<double> speeds;
   RowBlock conserved, cell, new_cell, term;  ///< rows of cells -2 .. n + 1
   double time = 0, rate = 0;
-  LineContacts contacts;                        ///< of the step that is tried
+  SolidContacts contacts;                       ///< of the step that is tried
   double attempted_dt = 0, attempted_rate = 0;  ///< of the state in `next`
   SolidCounters counters;
   std::array<Accumulator, 5> initial, boundary, source;
@@ -82,6 +82,10 @@ struct SolidLine::Impl {
 
   // solid_trace.cpp
   [[nodiscard]] SolidTrace trace(LineEnd end, double dt);
+
+  // solid_bonded.cpp
+  [[nodiscard]] BondedSide bonded_side(LineEnd end, double dt);
+  [[nodiscard]] SolidFace<double> bonded_face(bool low, double dt, BondedContact const& contact);
 };
 
 }  // namespace g27

@@ -1,5 +1,7 @@
 /// Cell updates of the three-dimensional gas scheme, all of it: exact Riemann solver, switches, cure, repairs, ledger.
-/// The yardsticks of the machine are measured in the same run, so that rates of two machines can be compared.
+/// The yardsticks of the machine are measured in the same run, so that rates of two machines can be compared: the
+/// fraction of the memory's rate that the least traffic takes, and of the rate of fused multiply-adds that the counted
+/// operations take (operations.hpp).
 #include <algorithm>
 #include <array>
 #include <string>
@@ -7,6 +9,7 @@
 
 #include "scheme/kernel/gas_kernels.hpp"
 #include "studies/bench/box_waves.hpp"
+#include "studies/bench/operations.hpp"
 #include "studies/bench/yardsticks.hpp"
 #include "studies/driver/benchmark.hpp"
 
@@ -31,7 +34,9 @@ Table run(BenchmarkOptions const& options) {
                   {"bytes_per_cell", "B"},
                   {"triad_gb_s", "GB/s"},
                   {"triad_fraction", "1"},
+                  {"flops_per_cell_update", "1"},
                   {"fma_gflops_per_core", "1e9/s"},
+                  {"fma_fraction", "1"},
                   {"weak_faces", "1"}},
       .rows = {},
       .facts = {}};
@@ -60,11 +65,12 @@ Table run(BenchmarkOptions const& options) {
         double const updates = cell_updates_per_s(grid);
         // at least: five conserved averages read, five written, each also fetched before it is written
         constexpr double bytes = 3 * 5 * sizeof(double);
+        double const flops = gas_operations(scheme.name, medium.name);
         GridCounters const& n = grid.counters();
         table.rows.push_back({std::string{scheme.name}, std::string{medium.name}, static_cast<long>(threads[k]),
                               updates, updates / threads[k], updates / threads[k] / fma, bytes,
                               static_cast<double>(grid.bytes()) / static_cast<double>(grid.cell_count()), triad[k],
-                              1e-9 * bytes * updates / triad[k], fma,
+                              1e-9 * bytes * updates / triad[k], flops, fma, 1e-9 * flops * updates / threads[k] / fma,
                               static_cast<double>(n.linear_star) / static_cast<double>(n.faces)});
       }
     }

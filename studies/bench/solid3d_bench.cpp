@@ -1,5 +1,5 @@
 /// Cell updates of the three-dimensional solid scheme, all of it, and what one costs over a gas update with the same
-/// predictor on the same grid, measured in turn.
+/// predictor on the same grid, measured in turn. Fractions of the machine's rates as in euler3d.
 #include <algorithm>
 #include <array>
 #include <string>
@@ -7,6 +7,7 @@
 
 #include "scheme/kernel/solid_kernels.hpp"
 #include "studies/bench/box_waves.hpp"
+#include "studies/bench/operations.hpp"
 #include "studies/bench/yardsticks.hpp"
 #include "studies/driver/benchmark.hpp"
 #include "verification/cases/solid_media.hpp"
@@ -43,7 +44,9 @@ Table run(BenchmarkOptions const& options) {
                           {"bytes_per_cell", "B"},
                           {"triad_gb_s", "GB/s"},
                           {"triad_fraction", "1"},
+                          {"flops_per_cell_update", "1"},
                           {"fma_gflops_per_core", "1e9/s"},
+                          {"fma_fraction", "1"},
                           {"tangent_faces", "1"}},
               .rows = {},
               .facts = {}};
@@ -80,12 +83,13 @@ Table run(BenchmarkOptions const& options) {
         double const count = static_cast<double>(grids[i].cell_count()), updates = count / best[i];
         // at least: twelve conserved averages read, twelve written, each also fetched before it is written
         constexpr double bytes = 3 * 12 * sizeof(double);
+        double const flops = solid_operations(scheme.name, materials[i].eos, materials[i].yields);
         SolidCounters const& n = grids[i].counters();
         table.rows.push_back({std::string{scheme.name}, std::string{materials[i].eos},
                               std::string{materials[i].yields ? "yielding" : "elastic"}, static_cast<long>(threads[k]),
                               updates, updates / threads[k], updates / threads[k] / fma, best[i] / gas_best, bytes,
                               static_cast<double>(grids[i].bytes()) / count, triad[k],
-                              1e-9 * bytes * updates / triad[k], fma,
+                              1e-9 * bytes * updates / triad[k], flops, fma, 1e-9 * flops * updates / threads[k] / fma,
                               static_cast<double>(n.tangent) / static_cast<double>(n.faces)});
       }
     }

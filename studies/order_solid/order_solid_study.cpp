@@ -1,5 +1,4 @@
 /// Observed orders of the solid schemes on smooth problems in one, two and three dimensions, in every variable.
-#include <algorithm>
 #include <functional>
 #include <map>
 
@@ -64,19 +63,6 @@ std::vector<OrderRow> all_rows() {
     }
   }
   return rows;
-}
-
-/// Variables that a problem moves: those whose error on the finest grid is no less than this part of its largest one.
-/// The others carry products of errors, and round-off: an S wave moves density and pressure by the square of its
-/// amplitude. P waves across the grid move all eleven.
-constexpr double least_share = 0.02;
-void keep_moving(RowResult& r) {
-  if (!r.failure.empty()) return;
-  auto const finest = [](VariableOrder const& v) { return v.errors.empty() ? 0.0 : v.errors.back().l1; };
-  double largest = 0;
-  for (VariableOrder const& v : r.variables) largest = std::max(largest, finest(v));
-  std::erase_if(r.variables,
-                [&](VariableOrder const& v) { return v.errors.empty() || !(finest(v) >= least_share * largest); });
 }
 
 StudyReport run(StudyContext const& context) {

@@ -10,8 +10,9 @@
 namespace g27 {
 namespace {
 
-constexpr double round_off = 1e-12;  ///< hundreds of steps of a few 1e-16 each
-constexpr double blown_up = 1.0;     ///< an error as large as the medium's own density, sound speed or bulk modulus
+constexpr double round_off = 1e-12;   ///< hundreds of steps of a few 1e-16 each
+constexpr double least_share = 0.02;  ///< of the largest error, below which a variable does not move
+constexpr double blown_up = 1.0;      ///< an error as large as the medium's own density, sound speed or bulk modulus
 
 Case find_case(std::string const& name) {
   for (Case& c : all_cases()) {
@@ -71,6 +72,15 @@ RowResult measure_order(OrderRow const& row) {
   }
   for (VariableOrder& v : result.variables) judge(v, !result.failure.empty());
   return result;
+}
+
+void keep_moving(RowResult& r) {
+  if (!r.failure.empty()) return;
+  auto const finest = [](VariableOrder const& v) { return v.errors.empty() ? 0.0 : v.errors.back().l1; };
+  double largest = 0;
+  for (VariableOrder const& v : r.variables) largest = std::max(largest, finest(v));
+  std::erase_if(r.variables,
+                [&](VariableOrder const& v) { return v.errors.empty() || !(finest(v) >= least_share * largest); });
 }
 
 }  // namespace g27

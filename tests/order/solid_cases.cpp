@@ -29,7 +29,7 @@ TEST_CASE("every case of solids conserves, and in one dimension twice the cells 
       INFO(c.name << " scheme " << a.scheme << ": " << a.errors.at("velocity").l1 << ", "
                   << b.errors.at("velocity").l1);
       CHECK(a.name == c.name);
-      CHECK(a.errors.size() == 12);
+      CHECK(a.errors.size() >= 12);  // two solids: those of each as well
       // a plane or a box of a few cells resolves no wave: there the orders are the study's business
       if (c.dimensions == 1) {
         CHECK(b.errors.at("velocity").l1 < 0.9 * a.errors.at("velocity").l1);

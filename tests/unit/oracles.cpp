@@ -46,7 +46,7 @@ TEST_CASE("every oracle is documented and runs", "[oracle]") {
   }
   for (char const* name : {"gas-riemann", "taylor-wave", "sedov", "noh", "simple-wave", "isentrope", "vortex",
                            "oblique-shock", "elastic-riemann", "ep-piston", "ep-riemann", "blake", "free-vibration",
-                           "be-shell", "rigid-rotation", "gas-solid", "jwl-card"})
+                           "be-shell", "rigid-rotation", "gas-solid", "jwl-card", "superseismic"})
     CHECK(names.count(name) == 1);
 }
 

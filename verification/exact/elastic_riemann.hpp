@@ -1,14 +1,9 @@
 #pragma once
 /// Riemann problem of linear elasticity in a uniformly stressed and moving solid: P and S waves with their coupling by
-/// the pre-stress, and what rides with the material.
-///
-/// Small changes of velocity and traction s = (sxx, sxy, sxz) about a base state obey u_t = s_x/rho, s_t = M u_x in its
-/// frame, where column k of M is the rate of s that u_k,x = 1 causes (`elastic_rate`). A wave of speed c that runs to
-/// the right or left carries du parallel to r, M r = rho c^2 r, and ds = -+ rho c du; it strains by u_i,x = -+ du_i/c,
-/// which changes everything else.
+/// the pre-stress (elastic_families.hpp), and what rides with the material.
 #include <vector>
 
-#include "verification/exact/solid.hpp"
+#include "verification/exact/elastic_families.hpp"
 
 namespace g27 {
 
@@ -20,9 +15,9 @@ class ElasticRiemann {
                  SolidPoint const& right);
 
   /// Wave speeds in the frame of the base state, the fastest (P) first.
-  [[nodiscard]] Vector3 const& speeds() const { return c_; }
+  [[nodiscard]] Vector3 const& speeds() const { return families_.speeds(); }
   /// Rows of M.
-  [[nodiscard]] std::array<Vector3, 3> const& stiffness() const { return M_; }
+  [[nodiscard]] std::array<Vector3, 3> const& stiffness() const { return families_.stiffness(); }
   /// At the contact: velocity and traction of both sides.
   [[nodiscard]] Vector3 const& u_star() const { return u_star_; }
   [[nodiscard]] Vector3 const& traction_star() const { return s_star_; }
@@ -35,9 +30,7 @@ class ElasticRiemann {
   [[nodiscard]] double residual() const;
 
  private:
-  double carrier_;  ///< velocity of the base state along x
-  Vector3 c_{};
-  std::array<Vector3, 3> M_{};
+  ElasticFamilies families_;
   Vector3 u_star_{}, s_star_{};
   std::array<SolidPoint, 8> states_{};  ///< between the rays, from left to right
   double scale_ = 0;

@@ -1,0 +1,74 @@
+/// End of a solid line that is bonded to another solid: what leaves it, and its face at the contact found.
+#include <algorithm>
+
+#include "scheme/kernel/solid_boundary_loop.hpp"
+#include "scheme/step/solid_line_impl.hpp"
+
+namespace g27 {
+
+namespace {
+
+template <class W>
+BondedTrace bonded_trace(W const& w, Triple<double> const& out) noexcept {
+  BondedTrace t;
+  Triple<double> const b = w.unproject(out);
+  for (std::size_t j = 0; j < 3; ++j) {
+    Triple<double> unit{};
+    unit[static_cast<int>(j)] = 1.0;
+    Triple<double> column = w.project(unit);
+    for (int k = 0; k < 3; ++k) column[k] *= w.z[k];
+    column = w.unproject(column);
+    for (std::size_t i = 0; i < 3; ++i) t.Z[i][j] = column[static_cast<int>(i)];
+    t.b[j] = b[static_cast<int>(j)];
+  }
+  return t;
+}
+
+Triple<double> triple(FaceVector const& v) noexcept { return {{v[0], v[1], v[2]}}; }
+
+}  // namespace
+
+BondedSide SolidLine::Impl::bonded_side(LineEnd end, double dt) {
+  set_terms(dt);
+  bool const low = end == LineEnd::left;
+  std::ptrdiff_t const edge = low ? 0 : cells() - 1;
+  RidingCells const around = cells_at_end(low);
+  SolidBoundaryArguments const g = boundary_arguments(low, dt, around);
+  SolidFrameRows const q(g.cells, 0, solid_cell::fields), term_rows(term.rows(), 0, solid_cell::terms);
+  SolidFrameRows const* const terms = hoops > 0 ? &term_rows : nullptr;
+  BoundaryState<double> const at = extrapolated_state<RidingCells, double>(g, around, q, edge);
+  auto const traced = [&](auto const& w) {
+    return bonded_trace(w, outgoing(g, around, w, q, terms, at.state, edge).amplitude);
+  };
+  SolidState<double> const c0 = q.state<double>(edge);
+  BondedSide side{.elastic = traced(ElasticWaves<double>(at.frozen)),
+                  .S = {c0.S[0], c0.S[3], c0.S[4]},
+                  .u = {c0.u[0], c0.u[1], c0.u[2]}};
+  double const Y = strength.Y0 + strength.H * c0.ep;
+  side.yields = plastic && setup.options.tangent && mises_squared(c0.S) > yield_share * Y * Y;
+  if (!side.yields) return side;
+  side.tangent = traced(TangentWaves<double>(at.frozen, strength));
+  if (terms != nullptr) side.work = term_rows.at<double>(solid_cell::work, edge) * line.h[edge] / dt;
+  return side;
+}
+
+SolidFace<double> SolidLine::Impl::bonded_face(bool low, double dt, BondedContact const& contact) {
+  std::ptrdiff_t const edge = low ? 0 : cells() - 1;
+  RidingCells const around = cells_at_end(low);
+  SolidBoundaryArguments const g = boundary_arguments(low, dt, around);
+  SolidFrameRows const q(g.cells, 0, solid_cell::fields), term_rows(term.rows(), 0, solid_cell::terms);
+  SolidFrameRows const* const terms = hoops > 0 ? &term_rows : nullptr;
+  BoundaryState<double> const at = extrapolated_state<RidingCells, double>(g, around, q, edge);
+  Triple<double> const u = triple(contact.u), s = triple(contact.s);
+  auto const carried = [&](auto const& w) {
+    SolidState<double> const foot = outgoing(g, around, w, q, terms, at.state, edge).foot;
+    return carry(foot, w.path(w.project(s - foot.traction())), u, s);
+  };
+  bool const yields = low ? contact.plastic_above : contact.plastic_below;
+  SolidFace<double> face =
+      yields ? carried(TangentWaves<double>(at.frozen, strength)) : carried(ElasticWaves<double>(at.frozen));
+  if (plastic) radial_return(strength, face.S, face.ep);
+  return face;
+}
+
+}  // namespace g27
