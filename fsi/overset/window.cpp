@@ -98,7 +98,8 @@ void CellKinds::mark_cut() {
       Int3 const c0 = cell_of(low), c1 = cell_of(high);
       for (int k = c0[2]; k <= c1[2]; ++k) {
         for (int j = c0[1]; j <= c1[1]; ++j) {
-          columns_[column(j, k)].push_back({static_cast<int>(s), static_cast<int>(t)});
+          columns_[column(j, k)].push_back(
+              {static_cast<int>(s), static_cast<int>(t), low[1], high[1], low[2], high[2]});
           for (int i = c0[0]; i <= c1[0]; ++i) {
             CellKind& kind = kinds_[static_cast<std::size_t>(index({i, j, k}))];
             if (kind != CellKind::cut && touches_cube(corners, centre({i, j, k}), half)) kind = CellKind::cut;
@@ -112,6 +113,7 @@ void CellKinds::mark_cut() {
 void CellKinds::crossings(int j, int k, double y, double z, std::vector<double>& x) const {
   x.clear();
   for (Crossing const& at : columns_[column(j, k)]) {
+    if (!at.over(y, z)) continue;
     double where = 0;
     TriangleSurface const& surface = *surfaces_[static_cast<std::size_t>(at.surface)];
     if (crosses_line(surface.corners(static_cast<std::size_t>(at.triangle)), y, z, where)) x.push_back(where);
@@ -161,6 +163,7 @@ bool CellKinds::in_medium(Vec3 const& x) const noexcept {
   if (kinds_[i] != CellKind::cut) return valid(i);
   bool odd = false;
   for (Crossing const& at : columns_[column(c[1], c[2])]) {
+    if (!at.over(x[1], x[2])) continue;
     double crossing = 0;
     TriangleSurface const& surface = *surfaces_[static_cast<std::size_t>(at.surface)];
     if (crosses_line(surface.corners(static_cast<std::size_t>(at.triangle)), x[1], x[2], crossing) && crossing > x[0])

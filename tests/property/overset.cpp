@@ -85,7 +85,7 @@ TEST_CASE("donors give linear fields exactly, and constant ones bit by bit") {
   std::vector<CloudPoint<GasFields>> cloud, still;
   for (std::size_t t = 0; t < s.size(); ++t) {
     Vec3 const x = s.centre(t) - 0.07 * s.normal(t);
-    cloud.push_back({x, field(x), 0, -1}), still.push_back({x, constant[0], 0, -1});
+    cloud.push_back({x, field(x), 0}), still.push_back({x, constant[0], 0});
   }
   a.set_cloud(cloud), b.set_cloud(still);
   std::mt19937 random(3);
