@@ -48,15 +48,18 @@ SolidGridSetup grid_setup(BodySetup const& s, SolidSchemeOptions const& options)
 Body::Body(BodySetup s, GasGrid const& gas_grid, SolidSchemeOptions const& options)
     : setup(std::move(s)),
       surface(setup.surface),
-      around(surface.vertices.size()),
       triangles(surface.size()),
       grid(grid_setup(setup, options)),
       solid(solid_box(setup), true),
       gas(gas_box(setup, gas_grid), false) {
+  connect(), place_triangles();
+}
+
+void Body::connect() {
+  around.assign(surface.vertices.size(), {});
   for (std::size_t t = 0; t < surface.size(); ++t) {
     for (int v : surface.triangles[t]) around[static_cast<std::size_t>(v)].push_back(static_cast<int>(t));
   }
-  place_triangles();
 }
 
 void Body::place_triangles() {
