@@ -90,15 +90,18 @@ Body::Body(BodySetup s, GasGrid const& gas_grid, SolidSchemeOptions const& optio
     : surface(s.surface),
       cut(find_cut(surface, walls_of(gas_grid.setup()), 1e-3 * s.cell)),
       setup(bounded(std::move(s), cut.mirrors)),
-      around(surface.vertices.size()),
       triangles(surface.size()),
       grid(grid_setup(setup, cut.mirrors, options)),
       solid(solid_box(setup, cut.mirrors), true),
       gas(gas_box(setup, gas_grid), false) {
+  connect(), place_triangles();
+}
+
+void Body::connect() {
+  around.assign(surface.vertices.size(), {});
   for (std::size_t t = 0; t < surface.size(); ++t) {
     for (int v : surface.triangles[t]) around[static_cast<std::size_t>(v)].push_back(static_cast<int>(t));
   }
-  place_triangles();
 }
 
 void Body::place_triangles() {

@@ -65,6 +65,8 @@ struct Body {
 
   Body(BodySetup setup, GasGrid const& gas_grid, SolidSchemeOptions const& options);
 
+  /// Triangles around the vertices, after the surface has been given other ones.
+  void connect();
   /// Frames, centres and areas by the vertices.
   void place_triangles();
   /// Cells of the model problem of a triangle, from time-n data alone.

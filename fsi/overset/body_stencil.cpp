@@ -78,42 +78,58 @@ ModelStencil Body::stencil(std::size_t triangle) const {
   ModelStencil s{};
   s.velocity = f.into(t.velocity);
   ModelStencil::Cells<bool> there{};
-  constexpr double half_diagonal = 1.75;  // of the stencil's cell centres, in cells
   thread_local Donors<GasFields>::Around gas_near;
   thread_local Donors<SolidFields>::Around solid_near;
-  gas_near.reset(gas.donors, t.centre + (1.5 * h_gas) * f.n, half_diagonal);
-  solid_near.reset(solid.donors, t.centre - (1.5 * h) * f.n, half_diagonal);
+  gas_near.reset(gas.donors, t.centre + (1.5 * h_gas) * f.n, f);
+  solid_near.reset(solid.donors, t.centre - (1.5 * h) * f.n, f);
   auto const place = [&](double depth, double width, std::size_t a, std::size_t b) {
     return t.centre + depth * f.n + ((static_cast<double>(a) - 1) * width) * f.a +
            ((static_cast<double>(b) - 1) * width) * f.b;
   };
 
-  for (std::size_t k = 0; k < 3; ++k) {
-    double const layer = static_cast<double>(k) + 0.5;
-    for (std::size_t a = 0; a < 3; ++a) {
-      for (std::size_t b = 0; b < 3; ++b) {
-        bool const core = a == 1 && b == 1 && k < core_layers;
-        Vec3 x = place(layer * h_gas, h_gas, a, b);
-        if (core) {
-          s.gas[k][a][b] = into_frame(f, t.gas[k]);
-        } else if (gas.kinds.in_medium(x)) {
-          s.gas[k][a][b] = into_frame(f, gas_near.at(x, t.gas[0]));
-        } else {
-          // a mirror of the layer's centre, which is known already or (layer 2) the layer before
-          GasFields q = s.gas[std::min<std::size_t>(k, core_layers - 1)][1][1];
-          if (k < core_layers) q = into_frame(f, t.gas[k]);
-          for (std::size_t c = 1; c < 3; ++c) q[gas_field::u + c] = 2 * s.velocity[c] - q[gas_field::u + c];
-          s.gas[k][a][b] = q;
-        }
-        x = place(-layer * h, h, a, b);
-        there[k][a][b] = (core && k == 0) || solid.kinds.in_medium(x);
-        if (core) {
-          s.solid[k][a][b] = into_frame(f, t.solid[k]);
-        } else if (there[k][a][b]) {
-          s.solid[k][a][b] = into_frame(f, solid_near.at(x, t.solid[0]));
-        }
+  auto const is_core = [](std::size_t k, std::size_t a, std::size_t b) { return a == 1 && b == 1 && k < core_layers; };
+  auto const in_layer = [&](std::size_t k, double width, std::size_t a, std::size_t b) {
+    return place((static_cast<double>(k) + 0.5) * width, std::fabs(width), a, b);
+  };
+  auto const for_each_cell = [](auto const& visit) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (std::size_t a = 0; a < 3; ++a) {
+        for (std::size_t b = 0; b < 3; ++b) visit(k, a, b);
       }
     }
+  };
+  bool whole = true;  // no side of the body within the local grid
+  for_each_cell([&](std::size_t k, std::size_t a, std::size_t b) {
+    there[k][a][b] = (is_core(k, a, b) && k == 0) || solid.kinds.in_medium(in_layer(k, -h, a, b));
+    whole = whole && there[k][a][b];
+  });
+  for_each_cell([&](std::size_t k, std::size_t a, std::size_t b) {
+    bool const core = is_core(k, a, b), unread = k == 2 && a != 1 && b != 1;
+    Vec3 const x = in_layer(k, h_gas, a, b);
+    if (core) {
+      s.gas[k][a][b] = into_frame(f, t.gas[k]);
+    } else if (unread) {
+      s.gas[k][a][b] = s.gas[1][1][1];
+    } else if (gas.kinds.in_medium(x)) {
+      s.gas[k][a][b] = into_frame(f, gas_near.at(x, t.gas[0]));
+    } else {
+      // a mirror of the layer's centre, which is known already or (layer 2) the layer before
+      GasFields q = s.gas[std::min<std::size_t>(k, core_layers - 1)][1][1];
+      if (k < core_layers) q = into_frame(f, t.gas[k]);
+      for (std::size_t c = 1; c < 3; ++c) q[gas_field::u + c] = 2 * s.velocity[c] - q[gas_field::u + c];
+      s.gas[k][a][b] = q;
+    }
+    if (core) {
+      s.solid[k][a][b] = into_frame(f, t.solid[k]);
+    } else if (unread && whole) {
+      s.solid[k][a][b] = s.solid[1][1][1];
+    } else if (there[k][a][b]) {
+      s.solid[k][a][b] = into_frame(f, solid_near.at(in_layer(k, -h, a, b), t.solid[0]));
+    }
+  });
+  if (whole) {
+    s.solid_smooth = s.solid;
+    return s;
   }
 
   std::array<LayerSlope, 3> slope;

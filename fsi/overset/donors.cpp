@@ -11,7 +11,6 @@ namespace {
 constexpr double reach = 1.6;          ///< radius of the donors, in cells
 constexpr double widen = 1.5;          ///< by which it grows when there are too few
 constexpr std::size_t fewest = 5;      ///< donors
-constexpr double softening = 0.1;      ///< of the weights 1/(r^2 + softening)
 constexpr double least_moment = 0.02;  ///< of the sum of the weights, along a direction in which a slope is fitted
 
 /// -C^-1 m of a symmetric matrix C; along eigenvectors whose eigenvalue is below `least` nothing.
@@ -38,22 +37,36 @@ Vec3 minus_inverse_times(double const* c, Vec3 const& m, double least) {
   return {slope[0], slope[1], slope[2]};
 }
 
+constexpr double everything = 1e10;  ///< radius that takes all that were gathered, in cells
+constexpr double far_away = 1e30;    ///< where padding lies, in cells
+
+/// Place of a medium's kernels in their tables.
+template <class Fields>
+inline constexpr std::size_t table = std::tuple_size_v<Fields> == gas_field::count ? 0 : 1;
+
 bool is_velocity(std::size_t f) noexcept { return f >= 1 && f <= 3; }
 
 }  // namespace
 
 template <class Fields>
-void Donors<Fields>::set_cloud(std::vector<CloudPoint<Fields>> points) {
-  cloud_ = std::move(points);
-  head_.assign(kinds_.count(), -1);
-  for (std::size_t n = 0; n < cloud_.size(); ++n) {
-    int& head = head_[static_cast<std::size_t>(kinds_.index(kinds_.cell_of(cloud_[n].x)))];
-    cloud_[n].next = head, head = static_cast<int>(n);
+void Donors<Fields>::set_cloud(std::vector<CloudPoint<Fields>> const& points) {
+  auto const cell = [&](CloudPoint<Fields> const& p) {
+    return static_cast<std::size_t>(kinds_.index(kinds_.cell_of(p.x)));
+  };
+  first_.assign(kinds_.count() + 1, 0);
+  for (auto const& p : points) ++first_[cell(p) + 1];
+  for (std::size_t i = 0; i < kinds_.count(); ++i) first_[i + 1] += first_[i];
+  std::vector<std::size_t> next = first_;
+  cloud_.resize(points.size()), where_.resize(points.size());
+  for (auto const& p : points) {
+    std::size_t const n = next[cell(p)]++;
+    cloud_[n] = p, where_[n] = p.x;
   }
 }
 
 template <class Fields>
-void Donors<Fields>::gather(Vec3 const& x, double radius, From from, std::vector<Donor>& out) const {
+template <class Wanted>
+void Donors<Fields>::gather(Vec3 const& x, double radius, From from, Wanted const& wanted, Gathered& out) const {
   out.clear();
   WindowBox const& box = kinds_.box();
   double const inverse = 1 / box.h, limit = radius * radius;
@@ -64,30 +77,34 @@ void Donors<Fields>::gather(Vec3 const& x, double radius, From from, std::vector
     low[a] = std::max(0, static_cast<int>(std::floor(at[a] - radius)));
     high[a] = std::min(box.size[a] - 1, static_cast<int>(std::floor(at[a] + radius)));
   }
+  if (low[0] > high[0]) return;
   for (int k = low[2]; k <= high[2]; ++k) {
     for (int j = low[1]; j <= high[1]; ++j) {
-      std::ptrdiff_t i = kinds_.index({low[0], j, k});
-      for (int c = low[0]; c <= high[0]; ++c, ++i) {
-        std::size_t const n = static_cast<std::size_t>(i);
-        if (gives(n, from)) {
-          Vec3 const r{c + 0.5 - at[0], j + 0.5 - at[1], k + 0.5 - at[2]};
-          if (dot(r, r) < limit) out.push_back({r, &states_[n]});
-        }
-        for (int p = head_.empty() ? -1 : head_[n]; p >= 0; p = cloud_[static_cast<std::size_t>(p)].next) {
-          CloudPoint<Fields> const& point = cloud_[static_cast<std::size_t>(p)];
-          Vec3 const r = inverse * (point.x - x);
-          if (dot(r, r) < limit) out.push_back({r, &point.q});
+      double const y = j + 0.5 - at[1], z = k + 0.5 - at[2], rest = limit - y * y - z * z;
+      if (rest > 0) {
+        double const half = std::sqrt(rest);
+        int const first = std::max(low[0], static_cast<int>(std::ceil(at[0] - 0.5 - half)));
+        int const last = std::min(high[0], static_cast<int>(std::floor(at[0] - 0.5 + half)));
+        std::size_t n = static_cast<std::size_t>(kinds_.index({first, j, k}));
+        for (int i = first; i <= last; ++i, ++n) {
+          Vec3 const r{i + 0.5 - at[0], y, z};
+          if (gives(n, from) && wanted(r)) out.add(r, states_[n]);
         }
       }
+      // from the nearest point of the row
+      double const near_y = std::max(0.0, std::fabs(y) - 0.5), near_z = std::max(0.0, std::fabs(z) - 0.5);
+      double const left = limit - near_y * near_y - near_z * near_z;
+      if (!(left > 0)) continue;
+      double const half = std::sqrt(left);
+      int const first = std::max(low[0], static_cast<int>(std::floor(at[0] - half)));
+      int const last = std::min(high[0], static_cast<int>(std::floor(at[0] + half)));
+      if (first > last) continue;
+      auto const [from_point, to_point] = in_row(first, last, j, k);
+      for (std::size_t p = from_point; p < to_point; ++p) {
+        Vec3 const r = inverse * (where_[p] - x);
+        if (dot(r, r) < limit && wanted(r)) out.add(r, cloud_[p].q);
+      }
     }
-  }
-}
-
-template <class Fields>
-void Donors<Fields>::bound(Fields& q, Fields const& low, Fields const& high) noexcept {
-  for (std::size_t f = 0; f < q.size(); ++f) {
-    double const more = is_velocity(f) ? high[f] - low[f] : 0.0;
-    q[f] = std::clamp(q[f], low[f] - more, high[f] + more);
   }
 }
 
@@ -108,80 +125,96 @@ bool Donors<Fields>::multilinear(Vec3 const& x, From from, Fields& out) const {
                       cell[2] + static_cast<int>(c >> 2)}));
     if (!gives(corner[c], from)) return false;
   }
-  out.fill(0);
-  Fields low = states_[corner[0]], high = low;
+  EightArguments g{.q = {}, .w = {}, .out = out.data()};
   for (std::size_t c = 0; c < 8; ++c) {
-    double const w = ((c & 1) != 0 ? part[0] : 1 - part[0]) * ((c & 2) != 0 ? part[1] : 1 - part[1]) *
-                     ((c & 4) != 0 ? part[2] : 1 - part[2]);
-    Fields const& q = states_[corner[c]];
-    for (std::size_t f = 0; f < q.size(); ++f) {
-      out[f] += w * q[f], low[f] = std::min(low[f], q[f]), high[f] = std::max(high[f], q[f]);
-    }
+    g.w[c] = ((c & 1) != 0 ? part[0] : 1 - part[0]) * ((c & 2) != 0 ? part[1] : 1 - part[1]) *
+             ((c & 4) != 0 ? part[2] : 1 - part[2]);
+    g.q[c] = states_[corner[c]].data();
   }
-  // round-off would not let a uniform state stay uniform
-  for (std::size_t f = 0; f < out.size(); ++f) out[f] = std::clamp(out[f], low[f], high[f]);
+  fit_kernels().multilinear[table<Fields>](g);
   return true;
 }
 
 template <class Fields>
-Fields Donors<Fields>::fit(std::vector<Donor> const& donors) {
+void Donors<Fields>::Gathered::grow() {
+  std::size_t const most = std::max<std::size_t>(256, 2 * x_.size());
+  x_.resize(most), y_.resize(most), z_.resize(most), q_.resize(most * stride);
+}
+
+template <class Fields>
+void Donors<Fields>::Gathered::pad() {
+  while (count_ % fit_padding != 0) add({far_away, 0, 0}, {});
+}
+
+template <class Fields>
+bool Donors<Fields>::Gathered::fit(Vec3 const& r, double radius, std::size_t few, Fields& out) const {
   thread_local std::vector<double> weight;
-  weight.resize(donors.size());
-  // moments of the weights: about the point, then about their mean
-  double sum = 0, m[3] = {}, c[6] = {};
-  for (std::size_t n = 0; n < donors.size(); ++n) {
-    Vec3 const& r = donors[n].r;
-    double const w = 1 / (dot(r, r) + softening);
-    weight[n] = w, sum += w;
-    for (std::size_t i = 0; i < 3; ++i) {
-      m[i] += w * r[i];
-      for (std::size_t j = i; j < 3; ++j) c[tensor_place[i][j]] += w * r[i] * r[j];
-    }
-  }
-  for (double& x : m) x /= sum;
+  thread_local std::vector<int> near;
+  weight.resize(count_), near.resize(count_ + 1);
+  alignas(64) double value[stride], low[stride], high[stride];
+  FitArguments g{.donors = count_,
+                 .x = x_.data(),
+                 .y = y_.data(),
+                 .z = z_.data(),
+                 .q = q_.data(),
+                 .at = r,
+                 .limit = radius * radius,
+                 .weight = weight.data(),
+                 .near = near.data(),
+                 .out = value,
+                 .low = low,
+                 .high = high};
+  FitKernels const& kernels = fit_kernels();
+  kernels.moments(g);
+  if (g.count < few) return false;
+  // moments about the donors' mean
+  Vec3 const m = (1 / g.sum) * g.first;
+  std::array<double, 6> c = g.second;
   for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = i; j < 3; ++j) c[tensor_place[i][j]] -= sum * m[i] * m[j];
+    for (std::size_t j = i; j < 3; ++j) c[tensor_place[i][j]] -= g.sum * m[i] * m[j];
   }
-  Vec3 const slope = minus_inverse_times(c, {m[0], m[1], m[2]}, least_moment * sum);
-  Fields out{}, low = *donors[0].q, high = low;
-  double total = 0;
-  double const level = 1 / sum - slope[0] * m[0] - slope[1] * m[1] - slope[2] * m[2];
-  for (std::size_t n = 0; n < donors.size(); ++n) {
-    double const share = weight[n] * (level + dot(slope, donors[n].r));
-    total += share;
-    Fields const& q = *donors[n].q;
-    for (std::size_t f = 0; f < q.size(); ++f) {
-      out[f] += share * q[f], low[f] = std::min(low[f], q[f]), high[f] = std::max(high[f], q[f]);
-    }
+  g.slope = minus_inverse_times(c.data(), m, least_moment * g.sum);
+  g.level = 1 / g.sum - dot(g.slope, m);
+  kernels.combine[table<Fields>](g);
+  for (std::size_t f = 0; f < out.size(); ++f) {
+    double const more = is_velocity(f) ? high[f] - low[f] : 0.0;
+    out[f] = std::clamp(value[f], low[f] - more, high[f] + more);
   }
-  for (double& x : out) x /= total;
-  bound(out, low, high);
-  return out;
+  return true;
 }
 
 template <class Fields>
 Fields Donors<Fields>::at(Vec3 const& x, From from, Fields const& otherwise) const {
   Fields out{};
   if (multilinear(x, from, out)) return out;
-  thread_local std::vector<Donor> donors;
+  thread_local Gathered donors;
   double radius = reach;
   for (int tries = 0; tries < 4; ++tries, radius *= widen) {
-    gather(x, radius, from, donors);
+    gather(
+        x, radius, from, [](Vec3 const&) { return true; }, donors);
     if (donors.size() >= fewest) break;
   }
-  return donors.empty() ? otherwise : fit(donors);
+  if (donors.size() == 0) return otherwise;
+  donors.pad(), donors.fit({0, 0, 0}, everything, 1, out);
+  return out;
 }
 
 template <class Fields>
-void Donors<Fields>::Around::reset(Donors const& donors, Vec3 const& centre, double radius) {
+void Donors<Fields>::Around::reset(Donors const& donors, Vec3 const& centre, Frame const& frame) {
   donors_ = &donors;
   WindowBox const& box = donors.kinds_.box();
   for (std::size_t a = 0; a < 3; ++a) centre_[a] = (centre[a] - box.lower[a]) / box.h - box.first[a];
-  thread_local std::vector<Donor> all;
-  donors.gather(centre, radius + reach, From::valid, all);
-  std::size_t const n = all.size();
-  x_.resize(n), y_.resize(n), z_.resize(n), q_.resize(n);
-  for (std::size_t i = 0; i < n; ++i) x_[i] = all[i].r[0], y_[i] = all[i].r[1], z_[i] = all[i].r[2], q_[i] = all[i].q;
+  constexpr double half = 1 + 1e-9, diagonal = 1.7321;
+  auto const within_reach = [&](Vec3 const& r) {
+    double square = 0;
+    for (double const x : frame.into(r)) {
+      double const beyond = std::max(0.0, std::fabs(x) - half);
+      square += beyond * beyond;
+    }
+    return square < reach * reach;
+  };
+  donors.gather(centre, diagonal + reach, From::valid, within_reach, near_);
+  near_.pad();
 }
 
 template <class Fields>
@@ -191,19 +224,7 @@ Fields Donors<Fields>::Around::at(Vec3 const& x, Fields const& otherwise) const 
   WindowBox const& box = donors_->kinds_.box();
   Vec3 r{};
   for (std::size_t a = 0; a < 3; ++a) r[a] = (x[a] - box.lower[a]) / box.h - box.first[a] - centre_[a];
-  thread_local std::vector<Donor> near;
-  thread_local std::vector<double> distance;
-  std::size_t const n = x_.size();
-  distance.resize(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    double const dx = x_[i] - r[0], dy = y_[i] - r[1], dz = z_[i] - r[2];
-    distance[i] = dx * dx + dy * dy + dz * dz;
-  }
-  near.clear();
-  for (std::size_t i = 0; i < n; ++i) {
-    if (distance[i] < reach * reach) near.push_back({{x_[i] - r[0], y_[i] - r[1], z_[i] - r[2]}, q_[i]});
-  }
-  return near.size() >= fewest ? fit(near) : donors_->at(x, From::valid, otherwise);
+  return near_.fit(r, reach, fewest, out) ? out : donors_->at(x, From::valid, otherwise);
 }
 
 template class Donors<GasFields>;

@@ -4,6 +4,9 @@
 /// Where the eight cells around the point are valid, multilinear; else a weighted linear least-squares fit to the valid
 /// cells and the cloud within 1.6 cells. Density, pressure and stress stay within the donors' range, velocities may
 /// leave it by one range: bounds that a rotation meets would take its angular momentum.
+#include <cstring>
+
+#include "fsi/overset/fit_kernels.hpp"
 #include "fsi/overset/window.hpp"
 
 namespace g27 {
@@ -14,7 +17,7 @@ class Donors {
   /// The states of the cells are by the window's index.
   Donors(CellKinds const& kinds, std::vector<Fields> const& states) : kinds_(kinds), states_(states) {}
 
-  void set_cloud(std::vector<CloudPoint<Fields>> points);
+  void set_cloud(std::vector<CloudPoint<Fields>> const& points);
 
   /// Which cells give.
   enum class From {
@@ -24,18 +27,40 @@ class Donors {
   /// `otherwise`: where nothing is near.
   [[nodiscard]] Fields at(Vec3 const& x, From from, Fields const& otherwise) const;
 
+  /// Donors about a place: where they are, in cells from it, and their states.
+  class Gathered {
+   public:
+    void clear() noexcept { count_ = 0; }
+    [[nodiscard]] std::size_t size() const noexcept { return count_; }
+    void add(Vec3 const& r, Fields const& q) {
+      if (count_ == x_.size()) grow();
+      x_[count_] = r[0], y_[count_] = r[1], z_[count_] = r[2];
+      std::memcpy(&q_[count_ * stride], q.data(), sizeof(Fields));
+      ++count_;
+    }
+    /// Once all are there.
+    void pad();
+    /// The fit at r to those within `radius`; false if these are fewer than `fewest`.
+    bool fit(Vec3 const& r, double radius, std::size_t fewest, Fields& out) const;
+
+   private:
+    static constexpr std::size_t stride = padded_fields(std::tuple_size_v<Fields>);
+    void grow();
+    std::size_t count_ = 0;
+    std::vector<double> x_, y_, z_, q_;
+  };
+
   /// Donors that are valid about a place, collected once for the many points of a local grid.
   class Around {
    public:
-    /// For points up to `radius` cells from `centre`.
-    void reset(Donors const& donors, Vec3 const& centre, double radius);
+    /// For points up to a cell from `centre` along each of the frame's axes.
+    void reset(Donors const& donors, Vec3 const& centre, Frame const& frame);
     [[nodiscard]] Fields at(Vec3 const& x, Fields const& otherwise) const;
 
    private:
     Donors const* donors_ = nullptr;
     Vec3 centre_{0, 0, 0};  ///< in cells of the window
-    std::vector<double> x_, y_, z_;
-    std::vector<Fields const*> q_;
+    Gathered near_;
   };
 
   /// Calls f with the cloud's points in the cells up to `cells` away from that of x.
@@ -46,31 +71,32 @@ class Donors {
     auto const to = [&](std::size_t a) { return std::min(size[a] - 1, c[a] + cells); };
     for (int k = from(2); k <= to(2); ++k) {
       for (int j = from(1); j <= to(1); ++j) {
-        for (int i = from(0); i <= to(0); ++i) {
-          int p = head_[static_cast<std::size_t>(kinds_.index({i, j, k}))];
-          for (; p >= 0; p = cloud_[static_cast<std::size_t>(p)].next) f(cloud_[static_cast<std::size_t>(p)]);
-        }
+        auto const [first, last] = in_row(from(0), to(0), j, k);
+        for (std::size_t p = first; p < last; ++p) f(cloud_[p]);
       }
     }
   }
 
  private:
-  struct Donor {
-    Vec3 r;  ///< from the point, in cells
-    Fields const* q;
-  };
   [[nodiscard]] bool gives(std::size_t i, From from) const noexcept {
     return kinds_.valid(i) && (from == From::valid || kinds_.kind_before(i) == CellKind::deep);
   }
-  void gather(Vec3 const& x, double radius, From from, std::vector<Donor>& out) const;
+  /// The cloud's points in the cells (i0..i1, j, k): from the first to before the second.
+  [[nodiscard]] std::array<std::size_t, 2> in_row(int i0, int i1, int j, int k) const noexcept {
+    if (cloud_.empty()) return {0, 0};
+    return {first_[static_cast<std::size_t>(kinds_.index({i0, j, k}))],
+            first_[static_cast<std::size_t>(kinds_.index({i1, j, k})) + 1]};
+  }
+  /// Those within a radius of x for which wanted(r) holds, r from x in cells.
+  template <class Wanted>
+  void gather(Vec3 const& x, double radius, From from, Wanted const& wanted, Gathered& out) const;
   [[nodiscard]] bool multilinear(Vec3 const& x, From from, Fields& out) const;
-  [[nodiscard]] static Fields fit(std::vector<Donor> const& donors);
-  static void bound(Fields& q, Fields const& low, Fields const& high) noexcept;
 
   CellKinds const& kinds_;
   std::vector<Fields> const& states_;
-  std::vector<CloudPoint<Fields>> cloud_;
-  std::vector<int> head_;  ///< first cloud point in each cell of the window
+  std::vector<CloudPoint<Fields>> cloud_;  ///< in the order of the cells they lie in
+  std::vector<Vec3> where_;                ///< their places: they are searched more often than their states are read
+  std::vector<std::size_t> first_;         ///< of the points in each cell of the window, and one more
 };
 
 extern template class Donors<GasFields>;

@@ -2,6 +2,7 @@
 /// States as overset grids exchange them: primitive variables by number, so that one code interpolates both media.
 #include <array>
 
+#include "fsi/overset/field_numbers.hpp"
 #include "fsi/surface/vec3.hpp"
 #include "riemann/eos/registry.hpp"
 #include "riemann/solid/material.hpp"
@@ -10,14 +11,6 @@
 
 namespace g27 {
 
-/// Density, velocity, pressure.
-namespace gas_field {
-inline constexpr std::size_t rho = 0, u = 1, p = 4, count = 5;
-}
-/// Density, velocity, pressure, specific internal energy, deviatoric stress xx yy zz xy xz yz, plastic strain.
-namespace solid_field_of {
-inline constexpr std::size_t rho = 0, u = 1, p = 4, e = 5, S = 6, ep = 12, count = 13;
-}
 using GasFields = std::array<double, gas_field::count>;
 using SolidFields = std::array<double, solid_field_of::count>;
 

@@ -39,7 +39,7 @@ struct OversetSolver::Impl {
         each.emplace_back(setup.gas.eos, b.material, gas.widths()[0], b.cell, setup.local);
       }
       problems.push_back(std::move(each));
-      results.emplace_back(bodies.back()->triangles.size());
+      results.emplace_back();
       if (setup.cfl <= 0) setup.cfl = 0.8;
       if (b.material.plastic()) setup.cfl = std::min(setup.cfl, 0.7);
     }
@@ -251,6 +251,7 @@ struct OversetSolver::Impl {
       Body& b = *bodies[n];
       std::size_t const count = b.triangles.size(), batches = (count + ModelProblems::lanes - 1) / ModelProblems::lanes;
       std::vector<std::array<Vec3, 2>> gradient(count);
+      results[n].resize(count);
 #pragma omp parallel for num_threads(threads) schedule(dynamic, 4)
       for (std::size_t batch = 0; batch < batches; ++batch) {
         std::size_t const first = batch * ModelProblems::lanes, size = std::min(ModelProblems::lanes, count - first);
@@ -315,6 +316,7 @@ struct OversetSolver::Impl {
     add_impulse(b, dt, held);
     b.move_vertices(dt);
     b.place_triangles();
+    counters.remeshing.add(remesh(b, setup.remeshing));
   }
 };
 

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "fsi/overset/closure.hpp"
+#include "fsi/overset/remeshing.hpp"
 
 namespace g27 {
 
@@ -11,6 +12,7 @@ struct OversetSetup {
   std::vector<BodySetup> bodies;
   SolidSchemeOptions solid_options{};
   ModelOptions local{};  ///< of the model problems
+  Remeshing remeshing{};
   bool closure = false;  ///< momentum and angular momentum of the bodies are those that the pressures gave them
   double cfl = 0;        ///< 0: chosen, 0.8, or 0.7 with a body that yields
   double growth = 1.2;   ///< of the time step, at most
@@ -21,6 +23,7 @@ struct OversetCounters {
   std::uint64_t steps = 0, problems = 0;  ///< model problems solved
   std::uint64_t first_order = 0;          ///< of them redone by Godunov's scheme
   std::uint64_t failed = 0;               ///< of those kept as they were
+  LocalRemeshCounts remeshing{};
   double seconds_local = 0, seconds_gas = 0, seconds_solid = 0, seconds_geometry = 0, seconds_fill = 0;
 };
 

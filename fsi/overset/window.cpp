@@ -123,7 +123,8 @@ void CellKinds::mark_cut() {
       Int3 const c0 = cell_of(low), c1 = cell_of(high);
       for (int k = c0[2]; k <= c1[2]; ++k) {
         for (int j = c0[1]; j <= c1[1]; ++j) {
-          columns_[column(j, k)].push_back({static_cast<int>(s), static_cast<int>(t)});
+          columns_[column(j, k)].push_back(
+              {static_cast<int>(s), static_cast<int>(t), low[1], high[1], low[2], high[2]});
           for (int i = c0[0]; i <= c1[0]; ++i) {
             CellKind& kind = kinds_[static_cast<std::size_t>(index({i, j, k}))];
             if (kind != CellKind::cut && touches_cube(corners, centre({i, j, k}), half)) kind = CellKind::cut;
@@ -141,6 +142,7 @@ void CellKinds::crossings(int j, int k, double y, double z, std::vector<double>&
     std::size_t const s = static_cast<std::size_t>(over[n].surface), others = x.size();
     for (; n < over.size() && over[n].surface == static_cast<int>(s); ++n) {
       double where = 0;
+      if (!over[n].over(y, z)) continue;
       if (crosses_line(surfaces_[s]->corners(static_cast<std::size_t>(over[n].triangle)), y, z, where))
         x.push_back(where);
     }
@@ -190,10 +192,21 @@ bool CellKinds::in_medium(Vec3 const& point) const noexcept {
   Int3 const c = cell_of(x);
   std::size_t const i = static_cast<std::size_t>(index(c));
   if (kinds_[i] != CellKind::cut) return valid(i);
-  thread_local std::vector<double> crossed;
-  crossings(c[1], c[2], x[1], x[2], crossed);
-  auto const behind = std::count_if(crossed.begin(), crossed.end(), [&](double at) { return at > x[0]; });
-  return (behind % 2 == 1) == inside_;
+  auto const& over = columns_[column(c[1], c[2])];
+  bool odd = false;
+  for (std::size_t n = 0; n < over.size();) {
+    std::size_t const s = static_cast<std::size_t>(over[n].surface);
+    bool open = false;
+    for (; n < over.size() && over[n].surface == static_cast<int>(s); ++n) {
+      double where = 0;
+      if (!over[n].over(x[1], x[2])) continue;
+      if (!crosses_line(surfaces_[s]->corners(static_cast<std::size_t>(over[n].triangle)), x[1], x[2], where)) continue;
+      open = !open;
+      if (where > x[0]) odd = !odd;
+    }
+    if (open && lids_[s] > x[0]) odd = !odd;
+  }
+  return odd == inside_;
 }
 
 }  // namespace g27

@@ -24,13 +24,12 @@ struct WindowBox {
   Mirrors mirrors{};    ///< on sides of the grid
 };
 
-/// Points of which the cloud's states are known, binned by the window's cells.
+/// Points of which the cloud's states are known.
 template <class Fields>
 struct CloudPoint {
   Vec3 x;
   Fields q;
   int triangle = 0;  ///< whose core it is
-  int next = -1;     ///< the next one in the same cell
   Image image{0, 0, 0};
 };
 
@@ -87,6 +86,10 @@ class CellKinds {
  private:
   struct Crossing {
     int surface, triangle;
+    double low_y, high_y, low_z, high_z;  ///< of the triangle [m]
+    [[nodiscard]] bool over(double y, double z) const noexcept {
+      return y >= low_y && y <= high_y && z >= low_z && z <= high_z;
+    }
   };
   [[nodiscard]] std::size_t column(int j, int k) const noexcept {
     return static_cast<std::size_t>(j) + static_cast<std::size_t>(box_.size[1]) * static_cast<std::size_t>(k);

@@ -49,3 +49,13 @@ function(g27_isa_kernels target)
   string(REPLACE ";" " " calls "${calls}")
   target_compile_definitions(${target} PRIVATE "G27_FOR_EACH_ISA=${calls}")
 endfunction()
+
+# Those of the interpolation between overset grids, into the library `target`.
+function(g27_fit_kernels target)
+  foreach(isa ${G27_ISAS})
+    g27_kernel_object(${target} g27_fit_${isa} ${isa} ${PROJECT_SOURCE_DIR}/fsi/overset/fit_kernel.cpp)
+    list(APPEND calls "G27_FOR_ISA(${isa})")
+  endforeach()
+  string(REPLACE ";" " " calls "${calls}")
+  target_compile_definitions(${target} PRIVATE "G27_FOR_EACH_ISA=${calls}")
+endfunction()

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <memory>
 
+#include "fsi/surface/polygon_mesh.hpp"
 #include "fsi/surface/shapes.hpp"
 #include "verification/cases/overset_problem.hpp"
 #include "verification/cases/run_facts.hpp"
@@ -16,7 +17,8 @@ std::vector<CaseParameter> const parameters{
     {"end", 4e-6, "s", "time", 1e-7, 60e-6},
     {"angle", 0, "rad", "by which the cube is turned about (0.3, 0.5, 1)", 0, 3.2},
     {"closure", 0, "1", "1: momentum of the body is kept exactly", 0, 1},
-    {"elastic", 0, "1", "1: without yield stress", 0, 1}};
+    {"elastic", 0, "1", "1: without yield stress", 0, 1},
+    {"remeshing", 1, "1", "0: the surface keeps its triangles", 0, 1}};
 
 }  // namespace
 
@@ -36,6 +38,7 @@ Case cube_blast_case() {
     };
     problem.t_end = value_of(parameters, options, "end");
     problem.setup.closure = value_of(parameters, options, "closure") > 0;
+    problem.setup.remeshing.on = value_of(parameters, options, "remeshing") > 0;
     BodySetup body{.surface = placed(make_box({edge, edge, edge}, h), {0.3, 0.5, 1},
                                      value_of(parameters, options, "angle"), middle),
                    .material = steel.scheme,
@@ -72,6 +75,8 @@ Case cube_blast_case() {
           shortest = std::min(shortest, e), longest = std::max(longest, e);
         }
       }
+      r.facts["self_intersections"] = static_cast<double>(self_intersections(b.surface).size());
+      r.facts["volume_change"] = mass_properties(b.surface).volume / volume - 1;
       r.facts["shortest_edge_in_cells"] = shortest / h, r.facts["longest_edge_in_cells"] = longest / h;
       r.facts["cells_an_edge"] = edge / h;
     };

@@ -1,0 +1,88 @@
+/// Interpolation between overset grids, of one instruction set.
+#include "fsi/overset/field_numbers.hpp"
+#include "fsi/overset/fit_kernels.hpp"
+#include "riemann/base/lane.hpp"
+
+namespace g27 {
+namespace G27_ISA {
+
+namespace {
+
+constexpr std::size_t lanes = width<Simd>;
+static_assert(fit_padding % lanes == 0);
+
+void moments(FitArguments& g) noexcept {
+  Simd const x0 = g.at[0], y0 = g.at[1], z0 = g.at[2], limit = g.limit;
+  Simd sum = 0, x1 = 0, y1 = 0, z1 = 0, xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < g.donors; i += lanes) {
+    Simd const x = load<Simd>(g.x + i) - x0, y = load<Simd>(g.y + i) - y0, z = load<Simd>(g.z + i) - z0;
+    Simd const square = x * x + y * y + z * z;
+    auto const inside = square < limit;
+    if (!any(inside)) continue;
+    Simd const w = select(inside, 1.0 / (square + fit_softening), 0.0);
+    store(g.weight + i, w);
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      g.near[count] = static_cast<int>(i + lane);
+      count += g.weight[i + lane] > 0 ? 1 : 0;
+    }
+    Simd const wx = w * x, wy = w * y, wz = w * z;
+    sum += w, x1 += wx, y1 += wy, z1 += wz;
+    xx += wx * x, yy += wy * y, zz += wz * z, xy += wx * y, xz += wx * z, yz += wy * z;
+  }
+  g.count = count, g.sum = stdx::reduce(sum);
+  g.first = {stdx::reduce(x1), stdx::reduce(y1), stdx::reduce(z1)};
+  g.second = {stdx::reduce(xx), stdx::reduce(yy), stdx::reduce(zz),
+              stdx::reduce(xy), stdx::reduce(xz), stdx::reduce(yz)};
+}
+
+template <std::size_t fields>
+void combine(FitArguments& g) noexcept {
+  constexpr std::size_t rows = fields / lanes;
+  Simd out[rows], low[rows], high[rows];
+  double const* const first = g.q + fields * static_cast<std::size_t>(g.near[0]);
+  for (std::size_t r = 0; r < rows; ++r) out[r] = 0, low[r] = high[r] = load<Simd>(first + r * lanes);
+  double total = 0;
+  for (std::size_t n = 0; n < g.count; ++n) {
+    std::size_t const i = static_cast<std::size_t>(g.near[n]);
+    double const share = g.weight[i] * (g.level + g.slope[0] * (g.x[i] - g.at[0]) + g.slope[1] * (g.y[i] - g.at[1]) +
+                                        g.slope[2] * (g.z[i] - g.at[2]));
+    total += share;
+    for (std::size_t r = 0; r < rows; ++r) {
+      Simd const q = load<Simd>(g.q + fields * i + r * lanes);
+      out[r] += share * q, low[r] = min(low[r], q), high[r] = max(high[r], q);
+    }
+  }
+  for (std::size_t r = 0; r < rows; ++r) {
+    store<Simd>(g.out + r * lanes, out[r] / total);
+    store(g.low + r * lanes, low[r]), store(g.high + r * lanes, high[r]);
+  }
+}
+
+template <Lane V>
+G27_INLINE void eight(EightArguments const& g, std::size_t f) noexcept {
+  V out = 0, low = load<V>(g.q[0] + f), high = low;
+  for (std::size_t c = 0; c < 8; ++c) {
+    V const q = load<V>(g.q[c] + f);
+    out += g.w[c] * q, low = min(low, q), high = max(high, q);
+  }
+  store<V>(g.out + f, min(max(out, low), high));
+}
+
+template <std::size_t fields>
+void multilinear(EightArguments const& g) noexcept {
+  std::size_t f = 0;
+  for (; f + lanes <= fields; f += lanes) eight<Simd>(g, f);
+  for (; f < fields; ++f) eight<double>(g, f);
+}
+
+}  // namespace
+
+extern FitKernels const fit_loops;
+constexpr FitKernels fit_loops{
+    .moments = &moments,
+    .combine = {&combine<padded_fields(gas_field::count)>, &combine<padded_fields(solid_field_of::count)>},
+    .multilinear = {&multilinear<gas_field::count>, &multilinear<solid_field_of::count>}};
+
+}  // namespace G27_ISA
+}  // namespace g27

@@ -1,0 +1,53 @@
+#pragma once
+/// Inner loops of interpolation between overset grids, one table per instruction set.
+#include <array>
+#include <cstddef>
+
+namespace g27 {
+
+inline constexpr double fit_softening = 0.1;   ///< of the weights 1/(r^2 + softening)
+inline constexpr std::size_t fit_padding = 8;  ///< donors and fields are padded to a multiple
+
+/// Fields in a donor's row.
+constexpr std::size_t padded_fields(std::size_t fields) noexcept {
+  return (fields + fit_padding - 1) / fit_padding * fit_padding;
+}
+
+/// A weighted linear fit at a point, in two passes between which the caller finds the slope.
+struct FitArguments {
+  std::size_t donors = 0;                                 ///< those beyond, up to the padding, are far away
+  double const *x = nullptr, *y = nullptr, *z = nullptr;  ///< places of the donors, in cells
+  double const* q = nullptr;                              ///< [donor][padded field]
+  std::array<double, 3> at{};                             ///< the point
+  double limit = 0;                                       ///< square of the donors' radius
+  // scratch, as many as donors
+  double* weight = nullptr;  ///< 0 for those that are too far away
+  int* near = nullptr;       ///< the others
+  // out of the first pass: those near, sum of the weights, first and second moments about the point
+  std::size_t count = 0;
+  double sum = 0;
+  std::array<double, 3> first{};
+  std::array<double, 6> second{};  ///< xx yy zz xy xz yz
+  // into the second: shares are weight (level + slope.r), over their sum
+  double level = 0;
+  std::array<double, 3> slope{};
+  double *out = nullptr, *low = nullptr, *high = nullptr;  ///< [padded field], also the donors' range
+};
+
+/// out = sum of w q over eight rows, within their range: round-off would not let a uniform state stay uniform.
+struct EightArguments {
+  std::array<double const*, 8> q;
+  std::array<double, 8> w;
+  double* out;
+};
+
+struct FitKernels {
+  void (*moments)(FitArguments&);
+  std::array<void (*)(FitArguments&), 2> combine;              ///< rows of 8, of 16
+  std::array<void (*)(EightArguments const&), 2> multilinear;  ///< of the gas's fields, of the solid's
+};
+
+/// Those of the instruction set that gas_kernels() chose.
+FitKernels const& fit_kernels() noexcept;
+
+}  // namespace g27

@@ -1,0 +1,97 @@
+/// Mending a surface that deforms keeps the body: volume, sharp edges, no triangle through another.
+#include "fsi/surface/local_remesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "fsi/surface/diagnosis.hpp"
+#include "fsi/surface/polygon_mesh.hpp"
+#include "fsi/surface/shapes.hpp"
+#include "tests/catch.hpp"
+
+using namespace g27;
+
+namespace {
+
+double volume(TriangleSurface const& s) { return mass_properties(s).volume; }
+
+/// Repeated until nothing is left to do.
+struct Mended {
+  TriangleSurface surface;
+  LocalRemeshCounts counts;
+  int calls = 0;
+};
+Mended mended(TriangleSurface surface, LocalRemeshOptions const& options) {
+  Mended m{.surface = std::move(surface), .counts = {}};
+  while (m.calls < 20 && needs_remeshing(m.surface, options)) {
+    LocalRemesh r = local_remesh(m.surface, options);
+    m.surface = std::move(r.surface), m.counts.add(r.counts), ++m.calls;
+  }
+  return m;
+}
+
+}  // namespace
+
+TEST_CASE("a surface within the limits is left alone", "[surface]") {
+  CHECK_FALSE(needs_remeshing(make_sphere(1, 0.2), {.shortest = 0.08, .longest = 0.34}));
+  CHECK(needs_remeshing(make_sphere(1, 0.2), {.shortest = 0.08, .longest = 0.2}));
+  CHECK(needs_remeshing(make_sphere(1, 0.2), {.shortest = 0.2, .longest = 0.34}));
+}
+
+TEST_CASE("a box that is stretched and flattened gets edges within the limits and keeps its volume", "[surface]") {
+  // affine: sides stay plane and sharp edges straight, so that whatever is done along them keeps the volume
+  LocalRemeshOptions const limits{.shortest = 0.04, .longest = 0.17};
+  for (Vec3 const& by : {Vec3{2.5, 0.6, 0.6}, Vec3{0.3, 1.8, 1.8}, Vec3{0.35, 0.35, 0.35}, Vec3{3, 3, 3}}) {
+    TriangleSurface s = make_box({1, 1, 1}, 0.1);
+    for (Vec3& x : s.vertices) x = {by[0] * x[0], by[1] * x[1], by[2] * x[2]};
+    Mended const m = mended(s, limits);
+    CAPTURE(by[0], by[1], m.calls, m.counts.splits, m.counts.collapses, m.counts.flips, m.counts.moves);
+    // of the sum of about 1000 triangles' volumes
+    CHECK(volume(m.surface) == Approx(volume(s)).epsilon(1e-12));
+    CHECK(m.counts.refused == 0);
+    CHECK(diagnose(m.surface).healthy());
+    // the angles at its edges are right ones still
+    CHECK(diagnose(m.surface).angles.smallest == Approx(0.5 * std::numbers::pi).epsilon(1e-6));
+    auto const lengths = edge_lengths(m.surface);
+    auto const within = std::count_if(lengths.begin(), lengths.end(),
+                                      [&](double l) { return l > limits.shortest && l < limits.longest; });
+    // single ones cannot be joined: corners and crossing lines hold their ends
+    CHECK(static_cast<double>(within) > 0.99 * static_cast<double>(lengths.size()));
+    CHECK(*std::max_element(lengths.begin(), lengths.end()) < limits.longest);
+  }
+}
+
+TEST_CASE("joining triangles of a ball keeps its volume", "[surface]") {
+  // a corner that joins another is put where the volume stays; only turned edges change it
+  TriangleSurface s = make_sphere(1, 0.12);
+  for (Vec3& x : s.vertices) x = {0.45 * x[0], 1.4 * x[1], 1.4 * x[2]};
+  Mended const m = mended(s, {.shortest = 0.08, .longest = 0.3});
+  CAPTURE(m.calls, m.counts.splits, m.counts.collapses, m.counts.flips, m.counts.moves, m.counts.volume);
+  CHECK(m.counts.collapses > 50);
+  CHECK(m.surface.size() < s.size());
+  CHECK(std::fabs(volume(m.surface) - volume(s)) <= m.counts.volume * (1 + 1e-9) + 1e-12);
+  CHECK(std::fabs(volume(m.surface) / volume(s) - 1) < 2e-3);
+  CHECK(diagnose(m.surface).healthy());
+}
+
+TEST_CASE("parents are the triangles whose place a new one has", "[surface]") {
+  TriangleSurface s = make_box({1, 1, 1}, 0.2);
+  for (Vec3& x : s.vertices) x[0] *= 2;
+  LocalRemesh const r = local_remesh(s, {.shortest = 0.08, .longest = 0.34});
+  REQUIRE(r.parents.size() == r.surface.size());
+  CHECK(r.counts.splits > 10);
+  for (std::size_t t = 0; t < r.surface.size(); ++t) {
+    REQUIRE_FALSE(r.parents[t].empty());
+    CHECK(std::is_sorted(r.parents[t].begin(), r.parents[t].end()));
+    for (int const p : r.parents[t]) {
+      // on the same side of the box, and within a few edges
+      CHECK(dot(r.surface.normal(t), s.normal(static_cast<std::size_t>(p))) > 0.999);
+      CHECK(length(r.surface.centre(t) - s.centre(static_cast<std::size_t>(p))) < 0.8);
+    }
+  }
+  // the same again, bit by bit
+  LocalRemesh const again = local_remesh(s, {.shortest = 0.08, .longest = 0.34});
+  CHECK(again.surface.vertices == r.surface.vertices);
+  CHECK(again.surface.triangles == r.surface.triangles);
+}
