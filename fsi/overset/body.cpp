@@ -9,7 +9,9 @@ namespace {
 
 constexpr int margin = 4;  ///< cells of a window beyond the box that the body stays in
 
-WindowBox solid_box(BodySetup const& s) {
+}  // namespace
+
+WindowBox solid_window(BodySetup const& s) {
   WindowBox box{.lower = {}, .h = s.cell, .grid = {}, .first = {0, 0, 0}, .size = {}};
   for (std::size_t a = 0; a < 3; ++a) {
     int const n = static_cast<int>(std::ceil((s.upper[a] - s.lower[a]) / s.cell - 1e-9)) + 2 * margin;
@@ -18,6 +20,8 @@ WindowBox solid_box(BodySetup const& s) {
   }
   return box;
 }
+
+namespace {
 
 WindowBox gas_box(BodySetup const& s, GasGrid const& gas) {
   WindowBox box{.lower = gas.setup().lower, .h = gas.widths()[0], .grid = gas.cells(), .first = {}, .size = {}};
@@ -31,7 +35,7 @@ WindowBox gas_box(BodySetup const& s, GasGrid const& gas) {
 }
 
 SolidGridSetup grid_setup(BodySetup const& s, SolidSchemeOptions const& options) {
-  WindowBox const box = solid_box(s);
+  WindowBox const box = solid_window(s);
   SolidGridSetup setup{.material = s.material,
                        .lower = box.lower,
                        .upper = {},
@@ -51,7 +55,7 @@ Body::Body(BodySetup s, GasGrid const& gas_grid, SolidSchemeOptions const& optio
       around(surface.vertices.size()),
       triangles(surface.size()),
       grid(grid_setup(setup, options)),
-      solid(solid_box(setup), true),
+      solid(solid_window(setup), true),
       gas(gas_box(setup, gas_grid), false) {
   for (std::size_t t = 0; t < surface.size(); ++t) {
     for (int v : surface.triangles[t]) around[static_cast<std::size_t>(v)].push_back(static_cast<int>(t));
