@@ -14,9 +14,9 @@ struct NearCell {
   Vec3 centre;   ///< of that part [m]
 };
 
-/// Calls f with each cell of the bodies' windows, once.
-template <class F>
-void for_each_near_cell(OversetSolver const& solver, int rays, F const& f) {
+/// Each cell of the bodies' windows once. Parts of cut cells within the bodies are scaled, so that they and the whole
+/// cells add up to the polyhedra's volume.
+std::vector<NearCell> near_cells(OversetSolver const& solver, int rays) {
   Int3 const n = solver.gas().cells();
   auto const place = [&](Int3 const& c) {
     return static_cast<std::size_t>(c[0]) +
@@ -24,7 +24,11 @@ void for_each_near_cell(OversetSolver const& solver, int rays, F const& f) {
                (static_cast<std::size_t>(c[1]) + static_cast<std::size_t>(n[1]) * static_cast<std::size_t>(c[2]));
   };
   std::vector<bool> seen(solver.bodies().size() > 1 ? place({0, 0, n[2]}) : 0);
+  std::vector<NearCell> out;
+  std::vector<Vec3> moments;
+  double whole = 0, cut = 0, volume = 0;
   for (auto const& body : solver.bodies()) {
+    volume += mass_properties(body->surface).volume;
     CellKinds const& kinds = body->gas.kinds;
     auto const parts = parts_within(kinds, rays);
     for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -33,13 +37,21 @@ void for_each_near_cell(OversetSolver const& solver, int rays, F const& f) {
         if (seen[place(cell)]) continue;
         seen[place(cell)] = true;
       }
-      Vec3 const centre = kinds.centre(kinds.cell(i));
-      bool const cut = kinds.kind(i) == CellKind::cut;
-      double const share = cut ? std::max(0.0, 1 - parts[i].share) : kinds.valid(i) ? 1.0 : 0.0;
-      bool const divided = cut && share > 1e-6;
-      f(NearCell{body.get(), cell, share, divided ? (1 / share) * (centre - parts[i].moment) : centre});
+      bool const is_cut = kinds.kind(i) == CellKind::cut;
+      double const inside = is_cut ? parts[i].share : kinds.valid(i) ? 0.0 : 1.0;
+      (is_cut ? cut : whole) += inside;
+      out.push_back({body.get(), cell, 1 - inside, kinds.centre(kinds.cell(i))});
+      moments.push_back(parts[i].moment);
     }
   }
+  double const h = solver.gas().widths()[0], scale = cut > 0 ? (volume / (h * h * h) - whole) / cut : 1.0;
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    NearCell& c = out[i];
+    if (!(c.share > 0 && c.share < 1)) continue;
+    c.centre = (1 / c.share) * (c.centre - moments[i]);
+    c.share = std::max(0.0, 1 - scale * (1 - c.share));
+  }
+  return out;
 }
 
 }  // namespace
@@ -48,10 +60,10 @@ std::vector<double> gas_share(OversetSolver const& solver, int rays) {
   Int3 const n = solver.gas().cells();
   auto const size = [&](std::size_t a) { return static_cast<std::size_t>(n[a]); };
   std::vector<double> out(size(0) * size(1) * size(2), 1.0);
-  for_each_near_cell(solver, rays, [&](NearCell const& c) {
+  for (NearCell const& c : near_cells(solver, rays)) {
     out[static_cast<std::size_t>(c.cell[0]) +
         size(0) * (static_cast<std::size_t>(c.cell[1]) + size(1) * static_cast<std::size_t>(c.cell[2]))] = c.share;
-  });
+  }
   return out;
 }
 
@@ -71,13 +83,13 @@ GasIntegrals gas_integrals(OversetSolver const& solver, int rays) {
       for (int i = 0; i < n[0]; ++i) add(volume, gas.centre({i, j, k}), gas.average({i, j, k}));
     }
   }
-  for_each_near_cell(solver, rays, [&](NearCell const& c) {
-    if (c.share == 1) return;
+  for (NearCell const& c : near_cells(solver, rays)) {
+    if (c.share == 1) continue;
     add(-volume, gas.centre(c.cell), gas.average(c.cell));
-    if (!(c.share > 0)) return;
+    if (!(c.share > 0)) continue;
     GasFields const q = c.body->gas.donors.at(c.centre, Donors<GasFields>::From::valid, c.body->ambient);
     add(c.share * volume, c.centre, densities_of(gas.setup().eos, q));
-  });
+  }
   return out;
 }
 

@@ -107,7 +107,7 @@ SceneBody read_body(Section const& root, Section const& section, GridBox const& 
   MassProperties const mass = mass_properties(loaded.surface);
   // 6 V/A is the edge of a cube and three times the thickness of a plate
   double const across = std::min({size[0], size[1], size[2], 6 * mass.volume / mass.area});
-  if (across < fewest_across * setup.cell) {
+  if (across < (1 - 1e-6) * fewest_across * setup.cell) {
     throw section.error("cell", fmt::format("makes the body {:.2g} cells thin", across / setup.cell),
                         fmt::format("choose it below {:.3g} m, or check scale", across / fewest_across));
   }

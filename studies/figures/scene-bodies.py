@@ -75,11 +75,12 @@ def draw_plane(axes, state, axis, at, length):
                                     cmap="inferno", vmin=0, vmax=most / 1e6, rasterized=True)
         segments = np.array(outline(body, axis, at))
         if segments.size:
-            axes.add_collection(LineCollection(segments / factor, colors="w", linewidths=1.2))
-            axes.annotate(name, segments.mean(axis=(0, 1)) / factor, color="w", ha="center", fontsize=8)
+            axes.add_collection(LineCollection(segments / factor, colors="k", linewidths=1.0))
+            axes.annotate(name, segments.max(axis=(0, 1)) / factor, color="w", fontsize=8)
     if solid is not None:
         plt.colorbar(solid, ax=axes, label="von Mises stress [MPa]", shrink=0.8)
     axes.set_aspect("equal")
+    axes.set_facecolor("0.7")  # cells that a surface cuts
     axes.set_xlabel(f"{AXES[across]} [{unit}]")
     axes.set_ylabel(f"{AXES[up]} [{unit}]")
     axes.set_title(f"t = {state.attrs['time'] * 1e6:.4g} us, {AXES[axis]} = {at / factor:.3g} {unit}", fontsize=9)
