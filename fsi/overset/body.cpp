@@ -31,7 +31,9 @@ BodySetup bounded(BodySetup s, Mirrors const& cut) {
   return s;
 }
 
-WindowBox solid_box(BodySetup const& s, Mirrors const& cut) {
+}  // namespace
+
+WindowBox solid_window(BodySetup const& s, Mirrors const& cut) {
   WindowBox box{.lower = {}, .h = s.cell, .grid = {}, .first = {0, 0, 0}, .size = {}, .mirrors = cut};
   for (std::size_t a = 0; a < 3; ++a) {
     double const cells = (s.upper[a] - s.lower[a]) / s.cell;
@@ -48,6 +50,8 @@ WindowBox solid_box(BodySetup const& s, Mirrors const& cut) {
   }
   return box;
 }
+
+namespace {
 
 WindowBox gas_box(BodySetup const& s, GasGrid const& gas) {
   WindowBox box{.lower = gas.setup().lower,
@@ -68,7 +72,7 @@ WindowBox gas_box(BodySetup const& s, GasGrid const& gas) {
 }
 
 SolidGridSetup grid_setup(BodySetup const& s, Mirrors const& cut, SolidSchemeOptions const& options) {
-  WindowBox const box = solid_box(s, cut);
+  WindowBox const box = solid_window(s, cut);
   SolidGridSetup setup{.material = s.material,
                        .lower = box.lower,
                        .upper = {},
@@ -92,7 +96,7 @@ Body::Body(BodySetup s, GasGrid const& gas_grid, SolidSchemeOptions const& optio
       setup(bounded(std::move(s), cut.mirrors)),
       triangles(surface.size()),
       grid(grid_setup(setup, cut.mirrors, options)),
-      solid(solid_box(setup, cut.mirrors), true),
+      solid(solid_window(setup, cut.mirrors), true),
       gas(gas_box(setup, gas_grid), false) {
   connect(), place_triangles();
 }

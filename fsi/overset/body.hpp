@@ -18,6 +18,9 @@ struct BodySetup {
   std::function<SolidPoint(Vec3 const&)> initial;  ///< state at the start
 };
 
+/// The cells of its grid: the box and a margin.
+WindowBox solid_window(BodySetup const& setup, Mirrors const& cut = {});
+
 /// What is known at a triangle between steps.
 struct TriangleState {
   Frame frame;
@@ -62,6 +65,7 @@ struct Body {
   Region<SolidFields> solid;
   Region<GasFields> gas;
   SolidFields background{};  ///< of cells that are not of the body
+  GasFields ambient{};       ///< of gas cells that are not of the gas
 
   Body(BodySetup setup, GasGrid const& gas_grid, SolidSchemeOptions const& options);
 

@@ -1,7 +1,8 @@
 #include "fsi/overset/body_integrals.hpp"
 
-#include <algorithm>
 #include <cmath>
+
+#include "fsi/overset/cut_cells.hpp"
 
 namespace g27 {
 
@@ -11,44 +12,6 @@ namespace {
 double mean_product(Vec3 const& f, Vec3 const& g) noexcept {
   double const sum = (f[0] + f[1] + f[2]) * (g[0] + g[1] + g[2]);
   return (sum + dot(f, g)) / 12;
-}
-
-/// Part of a cell within the surface, and the sum of the places of its pieces.
-struct Part {
-  double share = 0;
-  Vec3 moment{0, 0, 0};
-};
-
-std::vector<Part> parts_of(Body const& body, int rays) {
-  CellKinds const& kinds = body.solid.kinds;
-  WindowBox const& box = kinds.box();
-  std::vector<Part> parts(kinds.count());
-  std::vector<double> crossings;
-  double const piece = 1.0 / (rays * rays), inverse = 1 / box.h;
-  for (int k = 0; k < box.size[2]; ++k) {
-    for (int j = 0; j < box.size[1]; ++j) {
-      if (kinds.is_image(static_cast<std::size_t>(kinds.index({-box.first[0], j, k})))) continue;
-      Vec3 const middle = kinds.centre({0, j, k});
-      for (int ray = 0; ray < rays * rays; ++ray) {
-        double const y = middle[1] + ((ray % rays + 0.5) / rays - 0.5) * box.h;
-        double const z = middle[2] + ((ray / rays + 0.5) / rays - 0.5) * box.h;
-        kinds.crossings(j, k, y, z, crossings);
-        for (std::size_t n = 0; n + 1 < crossings.size(); n += 2) {
-          double const from = crossings[n], to = crossings[n + 1];
-          int const last = kinds.cell_of({to, y, z})[0];
-          for (int i = kinds.cell_of({from, y, z})[0]; i <= last; ++i) {
-            double const x = box.lower[0] + (box.first[0] + i) * box.h;
-            double const low = std::max(from, x), high = std::min(to, x + box.h);
-            if (high <= low) continue;
-            Part& p = parts[static_cast<std::size_t>(kinds.index({i, j, k}))];
-            double const w = (high - low) * inverse * piece;
-            p.share += w, p.moment = p.moment + w * Vec3{0.5 * (low + high), y, z};
-          }
-        }
-      }
-    }
-  }
-  return parts;
 }
 
 }  // namespace
@@ -80,7 +43,7 @@ Enclosed enclosed(Body const& body) {
 BodyIntegrals integrals(Body const& body, int rays) {
   namespace f = solid_field_of;
   CellKinds const& kinds = body.solid.kinds;
-  auto const parts = parts_of(body, rays);
+  auto const parts = parts_within(kinds, rays);
   double const cell = std::pow(kinds.box().h, 3);
   BodyIntegrals out;
   out.volume = enclosed(body).volume;

@@ -7,7 +7,7 @@ namespace g27 {
 
 BodyMomentum momentum_of(Body const& body) {
   BodyIntegrals const now = integrals(body);
-  return {now.momentum, now.angular};
+  return {.linear = now.momentum, .angular = now.angular};
 }
 
 void add_impulse(Body const& body, double dt, BodyMomentum& held) {
@@ -16,6 +16,7 @@ void add_impulse(Body const& body, double dt, BodyMomentum& held) {
   for (TriangleState const& t : body.triangles) {
     Vec3 const push = (-dt * t.pressure * t.area) * t.frame.n;
     held.linear = held.linear + push, held.angular = held.angular + cross(t.centre - centre, push);
+    held.work += dot(push, t.velocity);
   }
 }
 

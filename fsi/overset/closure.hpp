@@ -9,11 +9,12 @@ namespace g27 {
 struct BodyMomentum {
   Vec3 linear{0, 0, 0};   ///< [N s]
   Vec3 angular{0, 0, 0};  ///< about the centre of the volume, which moves [N m s]
+  double work = 0;        ///< of the pressures since the start [J]
 };
 
 BodyMomentum momentum_of(Body const& body);
 
-/// Adds the impulse of the pressures on the triangles over a step of dt [s].
+/// Adds the impulse and the work of the pressures on the triangles over a step of dt [s].
 void add_impulse(Body const& body, double dt, BodyMomentum& held);
 
 /// The velocity field du + omega x (x - centre) that brings the body to what it holds; added to its cells and cores.

@@ -30,8 +30,42 @@ struct OversetSolver::Impl {
       : setup(std::move(s)),
         initial(std::move(start)),
         gas(setup.gas),
+        time(setup.start),
         threads(std::max(1, setup.gas.options.threads)) {
-    gas.set_averages([&](Vec3 const& x, Vec3 const&) { return densities_of(setup.gas.eos, gas_at(x)); });
+    if (setup.gas_cells) {
+      gas.set_cells(setup.gas_cells, setup.start);
+    } else {
+      gas.set_averages([&](Vec3 const& x, Vec3 const&) { return densities_of(setup.gas.eos, gas_at(x)); }, setup.start);
+    }
+    make_bodies();
+    begin();
+    for (auto const& b : bodies) momenta.push_back(momentum_of(*b));
+    initial = {}, setup.gas_cells = {};  // of the start alone
+  }
+
+  Impl(OversetSetup s, OversetState const& from)
+      : setup(std::move(s)), gas(setup.gas), threads(std::max(1, setup.gas.options.threads)) {
+    restore_gas(from, gas);
+    make_bodies();
+    for (std::size_t n = 0; n < bodies.size(); ++n) {
+      momenta.push_back(restore_body(from, n, *bodies[n]));
+      results[n].resize(bodies[n]->triangles.size());
+    }
+    OversetClock const clock = clock_of(from);
+    time = clock.time, last_dt = clock.last_dt, counters = clock.counters;
+    classify();
+    set_clouds();
+  }
+
+  [[nodiscard]] OversetState state() const {
+    OversetState out;
+    save_gas(gas, out);
+    for (std::size_t n = 0; n < bodies.size(); ++n) save_body(*bodies[n], momenta[n], n, out);
+    save_clock({time, last_dt, counters}, out);
+    return out;
+  }
+
+  void make_bodies() {
     for (BodySetup const& b : setup.bodies) {
       bodies.push_back(std::make_unique<Body>(b, gas, setup.solid_options));
       std::vector<ModelProblems> each;
@@ -43,8 +77,6 @@ struct OversetSolver::Impl {
       if (setup.cfl <= 0) setup.cfl = 0.8;
       if (b.material.plastic()) setup.cfl = std::min(setup.cfl, 0.7);
     }
-    begin();
-    for (auto const& b : bodies) momenta.push_back(momentum_of(*b));
   }
 
   [[nodiscard]] GasFields gas_at(Vec3 const& x) const {
@@ -84,10 +116,13 @@ struct OversetSolver::Impl {
       }
       Vec3 const middle = 0.5 * (b->setup.lower + b->setup.upper);
       b->background = solid_at(*b, middle);
-      b->grid.set_averages([&](Vec3 const& x, Vec3 const&) {
-        std::size_t const i = static_cast<std::size_t>(b->solid.kinds.index(b->solid.kinds.cell_of(x)));
-        return densities_of(b->solid.kinds.valid(i) ? solid_at(*b, x) : b->background);
-      });
+      b->ambient = gas_at(middle);
+      b->grid.set_averages(
+          [&](Vec3 const& x, Vec3 const&) {
+            std::size_t const i = static_cast<std::size_t>(b->solid.kinds.index(b->solid.kinds.cell_of(x)));
+            return densities_of(b->solid.kinds.valid(i) ? solid_at(*b, x) : b->background);
+          },
+          setup.start);
     }
     read_states(true), set_clouds(), write_back(true);
   }
@@ -118,7 +153,7 @@ struct OversetSolver::Impl {
         Mirrors const& mirrors = kinds.box().mirrors;
         mirrors.for_each([&](Image const& at) {
           Vec3 const y = mirrors.image(x, at);
-          if (near(kinds, y)) points.push_back({y, reflected(q, at), triangle, -1, at});
+          if (near(kinds, y)) points.push_back({y, reflected(q, at), triangle, at});
         });
       };
       for (auto const& other : bodies) {
@@ -151,11 +186,9 @@ struct OversetSolver::Impl {
   /// at rest. `started`: every valid cell has its state already.
   void write_back(bool started) {
     for (auto const& b : bodies) {
-      GasPoint const ambient = initial(0.5 * (b->setup.lower + b->setup.upper));
-      GasFields const still{ambient.rho, ambient.u[0], ambient.u[1], ambient.u[2], ambient.p};
       std::vector<Int3> cells;
       std::vector<GasDensities> gas_averages;
-      fill(b->gas, started, still, cells,
+      fill(b->gas, started, b->ambient, cells,
            [&](GasFields const& q) { gas_averages.push_back(densities_of(setup.gas.eos, q)); });
       gas.replace(cells, gas_averages);
       cells.clear();
@@ -322,7 +355,11 @@ struct OversetSolver::Impl {
 
 OversetSolver::OversetSolver(OversetSetup setup, std::function<GasPoint(Vec3 const&)> initial)
     : impl_(std::make_unique<Impl>(std::move(setup), std::move(initial))) {}
+OversetSolver::OversetSolver(OversetSetup setup, OversetState const& from)
+    : impl_(std::make_unique<Impl>(std::move(setup), from)) {}
 OversetSolver::~OversetSolver() = default;
+OversetState OversetSolver::state() const { return impl_->state(); }
+double OversetSolver::stable_dt() const { return impl_->stable_dt(); }
 GridStepReport OversetSolver::step(double t_end) { return impl_->step(t_end); }
 double OversetSolver::time() const noexcept { return impl_->time; }
 GasGrid const& OversetSolver::gas() const noexcept { return impl_->gas; }

@@ -4,6 +4,7 @@
 
 #include "fsi/overset/closure.hpp"
 #include "fsi/overset/remeshing.hpp"
+#include "fsi/overset/overset_state.hpp"
 
 namespace g27 {
 
@@ -17,26 +18,26 @@ struct OversetSetup {
   double cfl = 0;        ///< 0: chosen, 0.8, or 0.7 with a body that yields
   double growth = 1.2;   ///< of the time step, at most
   double first = 0.1;    ///< of the first time step, over that which is stable
-};
-
-struct OversetCounters {
-  std::uint64_t steps = 0, problems = 0;  ///< model problems solved
-  std::uint64_t first_order = 0;          ///< of them redone by Godunov's scheme
-  std::uint64_t failed = 0;               ///< of those kept as they were
-  LocalRemeshCounts remeshing{};
-  double seconds_local = 0, seconds_gas = 0, seconds_solid = 0, seconds_geometry = 0, seconds_fill = 0;
+  double start = 0;      ///< time at the start [s]
+  /// averages of the gas's cells at the start; without it the state at their centres
+  std::function<GasDensities(Int3 const& cell)> gas_cells{};
 };
 
 class OversetSolver {
  public:
   /// The gas's state at the start is that of `initial` where there is no body.
   OversetSolver(OversetSetup setup, std::function<GasPoint(Vec3 const&)> initial);
+  /// Goes on, bit by bit, where the solver of the same setup stood that this state comes from.
+  OversetSolver(OversetSetup setup, OversetState const& from);
   ~OversetSolver();
+  [[nodiscard]] OversetState state() const;
 
   /// One step, not beyond t_end.
   GridStepReport step(double t_end);
 
   [[nodiscard]] double time() const noexcept;
+  /// Time step that all grids and model problems allow now [s].
+  [[nodiscard]] double stable_dt() const;
   [[nodiscard]] GasGrid const& gas() const noexcept;
   [[nodiscard]] std::vector<std::unique_ptr<Body>> const& bodies() const noexcept;
   [[nodiscard]] OversetCounters const& counters() const noexcept;

@@ -114,17 +114,19 @@ void CellKinds::mark_cut() {
       for (Vec3 const& c : corners) {
         for (std::size_t a = 0; a < 3; ++a) low[a] = std::min(low[a], c[a]), high[a] = std::max(high[a], c[a]);
       }
-      bool outside = false;
-      for (std::size_t a = 1; a < 3; ++a) {  // lines along x count those before and behind the window as well
+      std::array<bool, 3> beside{};
+      for (std::size_t a = 0; a < 3; ++a) {
         double const from = box_.lower[a] + box_.first[a] * box_.h, to = from + box_.size[a] * box_.h;
-        outside = outside || high[a] < from || low[a] > to;
+        beside[a] = high[a] < from || low[a] > to;
       }
-      if (outside) continue;
+      if (beside[1] || beside[2]) continue;
       Int3 const c0 = cell_of(low), c1 = cell_of(high);
       for (int k = c0[2]; k <= c1[2]; ++k) {
         for (int j = c0[1]; j <= c1[1]; ++j) {
+          // lines along x cross a body whether or not the window holds all of it
           columns_[column(j, k)].push_back(
               {static_cast<int>(s), static_cast<int>(t), low[1], high[1], low[2], high[2]});
+          if (beside[0]) continue;
           for (int i = c0[0]; i <= c1[0]; ++i) {
             CellKind& kind = kinds_[static_cast<std::size_t>(index({i, j, k}))];
             if (kind != CellKind::cut && touches_cube(corners, centre({i, j, k}), half)) kind = CellKind::cut;

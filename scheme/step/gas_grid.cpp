@@ -376,6 +376,10 @@ Vec3 GasGrid::widths() const noexcept { return impl_->context.h; }
 Vec3 GasGrid::centre(Int3 const& cell) const noexcept { return impl_->centre(cell); }
 double GasGrid::time() const noexcept { return impl_->context.time; }
 double GasGrid::stable_dt() const noexcept { return impl_->setup.options.cfl / impl_->rate; }
+GasGridMemory GasGrid::memory() const noexcept { return {impl_->rate, impl_->largest_density}; }
+void GasGrid::set_memory(GasGridMemory const& memory) noexcept {
+  impl_->rate = memory.signal_rate, impl_->largest_density = memory.largest_density;
+}
 bool GasGrid::solid(Int3 const& cell) const noexcept { return impl_->tiling.at(cell) < 0; }
 
 GasDensities GasGrid::average(Int3 const& cell) const noexcept {

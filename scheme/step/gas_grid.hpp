@@ -34,6 +34,12 @@ struct GridStepReport {
   double dt = 0;       ///< step taken [s]
 };
 
+/// What the steps of a grid remember beside the averages.
+struct GasGridMemory {
+  double signal_rate = 0;      ///< that the CFL condition goes by [1/s]; cells replaced since the last step count in it
+  double largest_density = 0;  ///< at the start, by which the vacuum's floor goes [kg/m^3]
+};
+
 class GasGrid {
  public:
   /// Throws std::invalid_argument for a setup that makes no sense.
@@ -65,6 +71,9 @@ class GasGrid {
   [[nodiscard]] double time() const noexcept;
   /// Time step that the CFL condition allows now [s].
   [[nodiscard]] double stable_dt() const noexcept;
+  /// To go on, after set_cells(), bit by bit as the grid would have that the averages come from.
+  [[nodiscard]] GasGridMemory memory() const noexcept;
+  void set_memory(GasGridMemory const& memory) noexcept;
   [[nodiscard]] bool solid(Int3 const& cell) const noexcept;
   [[nodiscard]] GasDensities average(Int3 const& cell) const noexcept;
   [[nodiscard]] GasPoint primitive(Int3 const& cell) const noexcept;

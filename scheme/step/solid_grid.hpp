@@ -58,6 +58,10 @@ class SolidGrid {
   [[nodiscard]] double time() const noexcept;
   /// Time step that the CFL condition allows now [s].
   [[nodiscard]] double stable_dt() const noexcept;
+  /// That the CFL condition goes by [1/s]; cells replaced since the last step count in it. With it, after set_cells(),
+  /// the grid goes on bit by bit as that would have from which the averages come.
+  [[nodiscard]] double signal_rate() const noexcept;
+  void set_signal_rate(double rate) noexcept;
   [[nodiscard]] SolidDensities average(Int3 const& cell) const noexcept;
   [[nodiscard]] SolidPoint primitive(Int3 const& cell) const noexcept;
   /// Conserved densities of a point's state.

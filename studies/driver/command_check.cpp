@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "riemann/eos/factory.hpp"
@@ -20,6 +21,50 @@ std::string mesh_text(SceneRun const& run) {
   }
   auto const& n = run.grid->setup.cells;
   return run.dimensions() == 3 ? fmt::format("{} x {} x {}", n[0], n[1], n[2]) : fmt::format("{} x {}", n[0], n[1]);
+}
+
+nlohmann::ordered_json bodies_json(RunEstimate const& e, SceneRun const& run) {
+  auto out = nlohmann::ordered_json::array();
+  for (std::size_t n = 0; n < e.bodies.size(); ++n) {
+    BodyEstimate const& b = e.bodies[n];
+    out.push_back({{"name", b.name},
+                   {"triangles", b.triangles},
+                   {"edges_over_cell", {b.shortest, b.longest}},
+                   {"cells", b.cells},
+                   {"grid_cells", b.window},
+                   {"volume", b.volume},
+                   {"mass", b.mass},
+                   {"memory", b.bytes},
+                   {"surface", {b.from, b.to}},
+                   {"extent", {b.lower, b.upper}},
+                   {"remarks", run.grid->bodies[n].remarks}});
+  }
+  return out;
+}
+
+/// Of one run: variants differ in names.
+Table bodies_table(RunEstimate const& e) {
+  Table table{.name = "bodies",
+              .title = "Bodies of " + e.name,
+              .columns = {{"body", "1"},
+                          {"triangles", "1"},
+                          {"edges", "cells"},
+                          {"cells in it", "1"},
+                          {"cells of its grid", "1"},
+                          {"mass", "kg"},
+                          {"memory", "MB"},
+                          {"may go to", "m"}},
+              .rows = {},
+              .facts = {}};
+  for (BodyEstimate const& b : e.bodies) {
+    std::string way;
+    for (std::size_t a = 0; a < 3; ++a) {
+      way += fmt::format("{}{} {:.4g} to {:.4g}", a > 0 ? ", " : "", ray_names()[a], b.lower[a], b.upper[a]);
+    }
+    table.rows.push_back({b.name, b.triangles, fmt::format("{:.2f} to {:.2f}", b.shortest, b.longest),
+                          std::round(b.cells), b.window, b.mass, b.bytes / 1e6, way});
+  }
+  return table;
 }
 
 }  // namespace
@@ -57,6 +102,7 @@ int command_check(CheckArguments const& arguments) {
                               {"bytes", estimates[i].bytes},
                               {"memory", estimates[i].memory},
                               {"line_steps", estimates[i].line_steps}});
+      if (!estimates[i].bodies.empty()) json["runs"].back()["bodies"] = bodies_json(estimates[i], run);
     }
     fmt::print("{}\n", json.dump(2));
     return 0;
@@ -83,6 +129,13 @@ int command_check(CheckArguments const& arguments) {
   }
   fmt::print("{}\nabout {} on one thread, {:.1f} MB; {} figures to judge\n", to_text(table), duration_text(seconds),
              bytes / 1e6, scene.expect.size());
+  for (std::size_t i = 0; i < estimates.size(); ++i) {
+    if (estimates[i].bodies.empty()) continue;
+    fmt::print("{}\n", to_text(bodies_table(estimates[i])));
+    for (SceneBody const& body : scene.runs[i].grid->bodies) {
+      for (std::string const& remark : body.remarks) fmt::print("{}: {}: {}\n", body.key, body.file, remark);
+    }
+  }
   if (scene.bare_numbers.empty()) {
     fmt::print("every number with a dimension carries its unit\n");
   } else {

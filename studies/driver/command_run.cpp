@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "studies/driver/atomic_file.hpp"
+#include "studies/driver/body_ledger.hpp"
 #include "studies/driver/command.hpp"
 #include "studies/driver/input_error.hpp"
 #include "studies/driver/python.hpp"
@@ -49,6 +50,27 @@ Json saved_json(GridRecord const& grid) {
   return json;
 }
 
+/// At the end of the run, and how the model problems went.
+Json bodies_json(SceneRun const& run, RunRecord const& record) {
+  Json out = Json::array();
+  for (std::size_t n = 0; n < record.grid->restart.bodies.size(); ++n) {
+    std::string const& name = run.grid->bodies[n].name;
+    Json body{{"name", name}};
+    for (HistoryColumn const& column : record.history.columns()) {
+      std::string const of = "body/" + name + "/";
+      if (column.name.rfind(of, 0) == 0 && !column.values.empty()) {
+        body[column.name.substr(of.size())] = column.values.back();
+      }
+    }
+    ContentLedger const& ledger = record.grid->restart.bodies[n];
+    body["ledger"] = {{"mass", ledger.mass.residual()}, {"energy", ledger.energy.residual()}};
+    body["ledger"]["momentum"] = Json::array();
+    for (LedgerEntry const& entry : ledger.momentum) body["ledger"]["momentum"].push_back(entry.residual());
+    out.push_back(std::move(body));
+  }
+  return out;
+}
+
 Json result_json(Scene const& scene, SceneResult const& result, std::filesystem::path const& out) {
   Json json{{"scene", scene.name}, {"title", scene.title}, {"out", out.string()}, {"runs", Json::array()}};
   for (SceneRun const& run : scene.runs) {
@@ -63,6 +85,11 @@ Json result_json(Scene const& scene, SceneResult const& result, std::filesystem:
                     {"ledger", ledger_json(record)}});
       if (record.grid) {
         entry["saved"] = saved_json(*record.grid);
+        if (!run.grid->bodies.empty()) {
+          ProblemCounts const& p = record.grid->restart.problems;
+          entry["bodies"] = bodies_json(run, record);
+          entry["model_problems"] = {{"solved", p.solved}, {"first_order", p.first_order}, {"kept", p.kept}};
+        }
       }
     }
     if (auto const failed = result.failures.find(run.name); failed != result.failures.end()) {
@@ -107,7 +134,8 @@ bool draw_variants(Scene const& scene, SceneResult const& result, std::filesyste
     }
     if (!files.empty()) {
       files.push_back((out / (name + ".png")).string());
-      drawn = draw(scene.runs[0].grid ? "scene-nd" : "scene", files) && drawn;
+      auto const& grid = scene.runs[0].grid;
+      drawn = draw(!grid ? "scene" : grid->bodies.empty() ? "scene-nd" : "scene-bodies", files) && drawn;
     }
   }
   return drawn;
@@ -129,7 +157,7 @@ void remove_last_results(std::filesystem::path const& out) {
       std::filesystem::remove(out / (name.substr(0, name.size() - scheme.size() - 1) + ".png"), ignored);
     }
   }
-  for (char const* name : {"runs.csv", "saved.csv", "verdict.csv", "summary.json"})
+  for (char const* name : {"runs.csv", "saved.csv", "bodies.csv", "ledger.csv", "verdict.csv", "summary.json"})
     std::filesystem::remove(out / name, ignored);
 }
 
@@ -145,6 +173,12 @@ int command_run(RunArguments const& arguments) {
                      "leave --resume out, or name the folder with --out");
   }
   require_memory(scene);
+  for (SceneRun const& run : scene.runs) {
+    for (std::size_t n = 0; run.grid && &run == &scene.runs[0] && n < run.grid->bodies.size(); ++n) {
+      SceneBody const& body = run.grid->bodies[n];
+      for (std::string const& remark : body.remarks) fmt::print(stderr, "{}: {}: {}\n", body.key, body.file, remark);
+    }
+  }
   int const machine = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   fmt::print(stderr, "{}: {} run{} into {}\n", scene.title, scene.runs.size(), scene.runs.size() == 1 ? "" : "s",
              out.string());
@@ -160,6 +194,11 @@ int command_run(RunArguments const& arguments) {
   std::vector<Table> tables{run_table(scene, result)};
   if (scene.runs[0].grid) {
     tables.push_back(saved_table(scene, result));
+  }
+  if (std::any_of(scene.runs.begin(), scene.runs.end(),
+                  [](SceneRun const& r) { return r.grid && !r.grid->bodies.empty(); })) {
+    tables.push_back(body_table(scene, result));
+    tables.push_back(ledger_table(scene, result));
   }
   if (!result.judgements.empty()) {
     tables.push_back(verdict_table(scene, result.judgements));

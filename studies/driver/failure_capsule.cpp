@@ -96,4 +96,9 @@ std::string failure_capsule(SceneRun const& run, GasGrid const& grid, GridStepRe
   return capsule.dump(2) + "\n";
 }
 
+std::string failure_capsule(SceneRun const& run, std::string const& why, double time) {
+  using Json = nlohmann::ordered_json;
+  return Json{{"run", run.name}, {"status", why}, {"time_s", time}, {"scheme", run.scheme}}.dump(2) + "\n";
+}
+
 }  // namespace g27

@@ -11,5 +11,7 @@ namespace g27 {
 std::string failure_capsule(SceneRun const& run, GasLine const& line, StepReport const& report);
 /// The same of a grid: the cells within two of the failed one along each axis.
 std::string failure_capsule(SceneRun const& run, GasGrid const& grid, GridStepReport const& report);
+/// Of a run that had to end for another reason.
+std::string failure_capsule(SceneRun const& run, std::string const& why, double time);
 
 }  // namespace g27

@@ -129,7 +129,7 @@ double shock_radius(GridView const& view, GasGridSetup const& box, Vec3 const& o
     if (p > threshold) {
       return i == steps ? r : r + reach / steps * (p - threshold) / (p - outer);
     }
-    outer = p;
+    outer = std::isfinite(p) ? p : outer;  // within a body there is no pressure
   }
   return none;
 }

@@ -4,8 +4,9 @@
 
 namespace g27 {
 
-/// time, dt, max_pressure, total_mass, total_energy, active_share, stored_share; shock/x, /y, (/z), /diagonal where
-/// there is a threshold; of every probe density, speed, its components and pressure.
+/// time, dt, max_pressure, total_mass, total_energy (with bodies: of the gas outside of them), active_share,
+/// stored_share; shock/x, /y, (/z), /diagonal where there is a threshold; of every probe density, speed, its components
+/// and pressure.
 std::vector<HistoryColumn> grid_columns(OutputPlan const& plan, int dimensions);
 
 /// A state to look at: a grid's, or a line's around its centre.

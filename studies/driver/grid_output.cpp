@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include "studies/driver/body_ledger.hpp"
+#include "studies/driver/body_output.hpp"
 #include "studies/driver/output_parts.hpp"
 
 namespace g27 {
@@ -28,7 +30,11 @@ constexpr std::array size_fields{
     std::pair{"seen_skipped", &GridRecord::seen_skipped},
 };
 
-std::vector<std::uint64_t> shape_of(SceneRun const& run) {
+constexpr std::array problem_fields{std::pair{"problems", &ProblemCounts::solved},
+                                    std::pair{"problems_first_order", &ProblemCounts::first_order},
+                                    std::pair{"problems_kept", &ProblemCounts::kept}};
+
+std::vector<std::uint64_t> grid_shape(SceneRun const& run) {
   auto const& n = run.grid->setup.cells;
   return {static_cast<std::uint64_t>(n[2]), static_cast<std::uint64_t>(n[1]), static_cast<std::uint64_t>(n[0])};
 }
@@ -49,16 +55,17 @@ void write_restart(Hdf5Writer& out, SceneRun const& run, RunRecord const& record
   out.group("/restart");
   out.attribute("/restart", "time", r.time);
   out.attribute("/restart", "next_history", record.history.totals.next);
+  write_overset(out, r);
+  for (std::size_t f = 0; f < map_names.size(); ++f) {
+    if (!r.maps[f].empty()) {
+      out.write(fmt::format("/restart/{}", map_names[f]), r.maps[f], "1", grid_shape(run));
+    }
+  }
   if (r.averages[0].empty()) {
     return;
   }
   for (std::size_t f = 0; f < averages.size(); ++f) {
-    out.write(fmt::format("/restart/{}", averages[f].first), r.averages[f], averages[f].second, shape_of(run));
-  }
-  for (std::size_t f = 0; f < map_names.size(); ++f) {
-    if (!r.maps[f].empty()) {
-      out.write(fmt::format("/restart/{}", map_names[f]), r.maps[f], "1", shape_of(run));
-    }
+    out.write(fmt::format("/restart/{}", averages[f].first), r.averages[f], averages[f].second, grid_shape(run));
   }
 }
 
@@ -73,8 +80,9 @@ void write_grid_state(std::filesystem::path const& file, SceneRun const& run, st
     out.write(fmt::format("{}/{}", path, axes[d]), faces(run.grid->setup, d), "m");
   }
   for (HistoryColumn const& field : state.fields) {
-    out.write(fmt::format("{}/{}", path, field.name), field.values, field.unit, shape_of(run));
+    out.write(fmt::format("{}/{}", path, field.name), field.values, field.unit, grid_shape(run));
   }
+  write_bodies(out, path, run, state);
   out.attribute(path, "time", state.time);
   auto const folder = file.parent_path() / state_folder(file);
   std::error_code error;
@@ -105,23 +113,27 @@ void write_grid_run(std::filesystem::path const& file, Scene const& scene, Scene
     out.external(state_path(i), state_folder(file) + "/" + state_file(i));
   }
   out.write("/times", grid.snapshot_times, "s");
+  if (!run.grid->bodies.empty()) out.write("/surface_sizes", grid.surface_sizes, "1");
   write_history(out, record.history);
   write_ledger(out, "mass", grid.restart.ledger.mass);
   write_ledger(out, "energy", grid.restart.ledger.energy);
   for (std::size_t d = 0; d < 3; ++d) {
     write_ledger(out, momentum_names[d], grid.restart.ledger.momentum[d]);
   }
+  write_body_ledgers(out, run, grid.restart);
   write_counters(out, grid.restart.counters);
+  for (auto const& [name, member] : problem_fields) {
+    if (!run.grid->bodies.empty()) out.attribute("/counters", name, grid.restart.problems.*member);
+  }
   out.attribute("/counters", "cured", static_cast<double>(grid.restart.counters.cured));
   out.attribute("/counters", "cells_skipped", static_cast<double>(grid.restart.counters.cells_skipped));
   write_restart(out, run, record);
   write_provenance(out, scene, run, threads);
   out.save(file);
-  write_atomically(file.parent_path() / (file.stem().string() + ".xdmf"),
-                   grid_xdmf(file.stem().string(), run, grid.snapshot_times));
+  write_atomically(file.parent_path() / (file.stem().string() + ".xdmf"), grid_xdmf(file.stem().string(), run, grid));
 }
 
-void read_grid_run(Hdf5Reader const& in, RunRecord& record) {
+void read_grid_run(Hdf5Reader const& in, SceneRun const& run, RunRecord& record) {
   GridRecord& grid = *record.grid;
   GridRestart& r = grid.restart;
   for (auto const& [name, member] : size_fields) {
@@ -137,6 +149,14 @@ void read_grid_run(Hdf5Reader const& in, RunRecord& record) {
   r.ledger.energy = read_ledger(in, "energy");
   for (std::size_t d = 0; d < 3; ++d) {
     r.ledger.momentum[d] = read_ledger(in, momentum_names[d]);
+  }
+  if (!run.grid->bodies.empty()) {
+    grid.surface_sizes = in.read("/surface_sizes");
+    read_body_ledgers(in, run, r);
+    read_overset(in, r);
+    for (auto const& [name, member] : problem_fields) {
+      r.problems.*member = in.number_attribute("/counters", name);
+    }
   }
   read_counters(in, r.counters);
   r.counters.cured = static_cast<std::uint64_t>(in.number_attribute("/counters", "cured"));
@@ -154,7 +174,9 @@ void read_grid_run(Hdf5Reader const& in, RunRecord& record) {
   }
 }
 
-std::string grid_xdmf(std::string const& run_name, SceneRun const& run, std::vector<double> const& times) {
+std::string grid_xdmf(std::string const& run_name, SceneRun const& run, GridRecord const& record) {
+  std::vector<double> const& times = record.snapshot_times;
+  std::size_t const bodies = run.grid->bodies.size();
   GasGridSetup const& s = run.grid->setup;
   Vec3 h{1, 1, 1};
   bool const solid = run.dimensions() == 3;
@@ -171,10 +193,16 @@ std::string grid_xdmf(std::string const& run_name, SceneRun const& run, std::vec
   if (s.options.maps) {
     fields.insert(fields.end(), map_names.begin(), map_names.end());
   }
+  if (bodies > 0) {
+    fields.emplace_back("gas_fraction");
+  }
   std::string out =
       "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\">\n<Domain>\n"
       "<Grid Name=\"run\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
   for (std::size_t i = 0; i < times.size(); ++i) {
+    if (bodies > 0) {
+      out += fmt::format("<Grid Name=\"state {}\" GridType=\"Collection\" CollectionType=\"Spatial\">\n", i);
+    }
     out += fmt::format(
         "<Grid Name=\"state {}\">\n<Time Value=\"{}\"/>\n<Topology TopologyType=\"3DCoRectMesh\" Dimensions=\"{}\"/>\n"
         "<Geometry GeometryType=\"ORIGIN_DXDYDZ\">\n<DataItem Format=\"XML\" Dimensions=\"3\">{} {} {}</DataItem>\n"
@@ -187,6 +215,10 @@ std::string grid_xdmf(std::string const& run_name, SceneRun const& run, std::vec
           field, cells, run_name, state_file(i), state_path(i));
     }
     out += "</Grid>\n";
+    if (bodies > 0) {
+      std::string const data = fmt::format("{}.state/{}:{}", run_name, state_file(i), state_path(i));
+      out += body_xdmf(run, record.surface_sizes.data() + 2 * bodies * i, data) + "</Grid>\n";
+    }
   }
   return out + "</Grid>\n</Domain>\n</Xdmf>\n";
 }

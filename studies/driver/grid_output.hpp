@@ -11,13 +11,13 @@ namespace g27 {
 /// Of write_run() and read_run().
 void write_grid_run(std::filesystem::path const& file, Scene const& scene, SceneRun const& run, RunRecord const& record,
                     int threads);
-void read_grid_run(Hdf5Reader const& in, RunRecord& record);
+void read_grid_run(Hdf5Reader const& in, SceneRun const& run, RunRecord& record);
 
 /// State `index` of the run whose file is `file`.
 void write_grid_state(std::filesystem::path const& file, SceneRun const& run, std::size_t index,
                       GridSnapshot const& state);
 
-/// XDMF beside the HDF5 file: uniform grids with their fields at every state, as ParaView opens them.
-std::string grid_xdmf(std::string const& run_name, SceneRun const& run, std::vector<double> const& times);
+/// XDMF beside the HDF5 file: uniform grids with their fields at every state, and bodies, as ParaView opens them.
+std::string grid_xdmf(std::string const& run_name, SceneRun const& run, GridRecord const& record);
 
 }  // namespace g27

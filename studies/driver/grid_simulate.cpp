@@ -6,10 +6,12 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "scheme/step/map_line_to_grid.hpp"
 #include "studies/driver/failure_capsule.hpp"
 #include "studies/driver/grid_history.hpp"
+#include "studies/driver/grid_mesh.hpp"
 #include "studies/driver/input_error.hpp"
 
 namespace g27 {
@@ -29,15 +31,9 @@ double widest(GasGridSetup const& setup) {
   return h;
 }
 
-std::size_t index_of(Int3 const& cells, Int3 const& c) {
-  auto const n = [&](std::size_t d) { return static_cast<std::size_t>(cells[d]); };
-  return static_cast<std::size_t>(c[0]) +
-         n(0) * (static_cast<std::size_t>(c[1]) + n(1) * static_cast<std::size_t>(c[2]));
-}
-
 GridSnapshot snapshot(GasGrid const& grid, bool maps) {
   using Field = GasGrid::Field;
-  GridSnapshot out{.time = grid.time(), .fields = {}};
+  GridSnapshot out{.time = grid.time(), .fields = {}, .bodies = {}};
   out.fields.push_back({"density", "kg/m3", grid.field(Field::density)});
   out.fields.push_back({"velocity_x", "m/s", grid.field(Field::velocity_x)});
   out.fields.push_back({"velocity_y", "m/s", grid.field(Field::velocity_y)});
@@ -53,59 +49,14 @@ GridSnapshot snapshot(GasGrid const& grid, bool maps) {
   return out;
 }
 
-void add(LedgerEntry& total, LedgerEntry const& part) {
-  total.current = part.current;
-  total.through_boundary += part.through_boundary;
-  total.from_source += part.from_source;
-  total.from_floor += part.from_floor;
-  total.scale = std::max(total.scale, part.scale);
-}
-
-/// Totals of the earlier pieces (`before`) plus those of this grid.
-void capture_totals(GasGrid const& grid, GridRestart const& before, bool resumed, GridRestart& now) {
-  now.time = grid.time();
-  GridCounters const& c = grid.counters();
-  GridCounters total = before.counters;
-  total.steps += c.steps, total.faces += c.faces, total.cell_updates += c.cell_updates, total.switched += c.switched;
-  total.linear_star += c.linear_star, total.repaired += c.repaired, total.floored += c.floored;
-  total.retried += c.retried, total.cured += c.cured, total.cells_skipped += c.cells_skipped;
-  now.counters = total;
-  GridLedger const ledger = grid.ledger();
-  now.ledger = resumed ? before.ledger : ledger;
-  if (resumed) {
-    add(now.ledger.mass, ledger.mass);
-    add(now.ledger.energy, ledger.energy);
-    for (std::size_t d = 0; d < 3; ++d) {
-      add(now.ledger.momentum[d], ledger.momentum[d]);
-    }
-  }
-}
-
-void capture_averages(GasGrid const& grid, GridRestart const& before, bool maps, GridRestart& now) {
-  Int3 const n = grid.cells();
-  for (auto& field : now.averages) {
-    field.resize(static_cast<std::size_t>(n[0]) * static_cast<std::size_t>(n[1]) * static_cast<std::size_t>(n[2]));
-  }
-  for (int k = 0; k < n[2]; ++k) {
-    for (int j = 0; j < n[1]; ++j) {
-      for (int i = 0; i < n[0]; ++i) {
-        std::size_t const at = index_of(n, {i, j, k});
-        GasDensities const q = grid.solid({i, j, k}) ? GasDensities{} : grid.average({i, j, k});
-        double const values[] = {q.mass, q.momentum[0], q.momentum[1], q.momentum[2], q.energy};
-        for (std::size_t f = 0; f < 5; ++f) {
-          now.averages[f][at] = values[f];
-        }
-      }
-    }
-  }
-  if (maps) {
-    GasGrid::Field const fields[] = {GasGrid::Field::switched, GasGrid::Field::cured, GasGrid::Field::repaired};
-    for (std::size_t f = 0; f < 3; ++f) {
-      now.maps[f] = grid.field(fields[f]);
-      if (!before.maps[f].empty()) {
-        std::transform(now.maps[f].begin(), now.maps[f].end(), before.maps[f].begin(), now.maps[f].begin(),
-                       std::plus<>{});
-      }
+/// Counts per cell, with those of earlier pieces.
+void capture_maps(GasGrid const& grid, GridRestart const& before, GridRestart& now) {
+  GasGrid::Field const fields[] = {GasGrid::Field::switched, GasGrid::Field::cured, GasGrid::Field::repaired};
+  for (std::size_t f = 0; f < 3; ++f) {
+    now.maps[f] = grid.field(fields[f]);
+    if (!before.maps[f].empty()) {
+      std::transform(now.maps[f].begin(), now.maps[f].end(), before.maps[f].begin(), now.maps[f].begin(),
+                     std::plus<>{});
     }
   }
 }
@@ -114,9 +65,9 @@ void capture_averages(GasGrid const& grid, GridRestart const& before, bool maps,
 class GridSimulation {
  public:
   GridSimulation(SceneRun const& run, RunRecord& record, RunHooks const& hooks)
-      : run_(run), plan_(*run.grid), record_(record), state_(*record.grid), hooks_(hooks), grid_(make_grid(run)) {
-    state_.cells = static_cast<double>(grid_.cell_count());
-    state_.tiles = static_cast<double>(grid_.tile_count());
+      : run_(run), plan_(*run.grid), record_(record), state_(*record.grid), hooks_(hooks), mesh_(make_mesh(run)) {
+    state_.cells = static_cast<double>(grid().cell_count());
+    state_.tiles = static_cast<double>(grid().tile_count());
   }
 
   void run() {
@@ -131,16 +82,10 @@ class GridSimulation {
   }
 
  private:
-  /// From stored averages.
+  [[nodiscard]] GasGrid const& grid() const { return mesh_->gas(); }
+
   void resume() {
-    Int3 const n = grid_.cells();
-    grid_.set_cells(
-        [&](Int3 const& c) -> GasDensities {
-          auto const& q = before_.averages;
-          std::size_t const i = index_of(n, c);
-          return {q[0][i], {q[1][i], q[2][i], q[3][i]}, q[4][i]};
-        },
-        before_.time);
+    mesh_->resume(before_);
     resumed_ = true;
   }
 
@@ -149,16 +94,17 @@ class GridSimulation {
     // A record of an earlier process that never reached the grid starts over.
     record_ = RunRecord(run_);
     record_.wall_s = wall_before_;
-    state_.cells = static_cast<double>(grid_.cell_count());
-    state_.tiles = static_cast<double>(grid_.tile_count());
+    state_.cells = static_cast<double>(grid().cell_count());
+    state_.tiles = static_cast<double>(grid().tile_count());
     if (plan_.line && !line_phase()) {
       return false;
     }
     if (!plan_.line) {
-      grid_.set_averages(plan_.initial, run_.start);
+      mesh_->start([&](Int3 const& c) { return plan_.initial(grid().centre(c), grid().widths()); }, plan_.point,
+                   run_.start);
     }
     state_.begun = true;
-    record_row(GridFieldView(grid_), grid_.time(), 0, true, false);
+    record_row(*mesh_->view(), mesh_->time(), 0, true, false);
     if (!plan_.line) {
       keep_snapshot();
     }
@@ -171,14 +117,14 @@ class GridSimulation {
     LinePhase& phase = state_.line;
     phase.cells = static_cast<double>(line.cells());
     auto const began = Clock::now();
+    LineFieldView const view(line, start.centre, run_.dimensions());
     auto const map_now = [&] {
       LineToGrid const map(line, start.centre, box_of(plan_.setup));
-      grid_.set_cells(map, line.time());
+      mesh_->start([&](Int3 const& c) { return map(c); }, [&](Vec3 const& x) { return view.at(x); }, line.time());
       phase.radius = map.radius(), phase.missing = map.missing();
     };
-    LineFieldView const view(line, start.centre, run_.dimensions());
-    record_row(view, line.time(), 0, false, false);
     map_now();
+    record_row(view, line.time(), 0, false, false);
     keep_snapshot();
     while (!line_phase_over(start, plan_.setup, line, phase) && line.time() < run_.end) {
       StepReport const report = line.step(std::min(start.until, next_snapshot()));
@@ -211,31 +157,40 @@ class GridSimulation {
 
   void advance() {
     double saved = seconds_since(began_);
-    while (grid_.time() < run_.end) {
+    while (mesh_->time() < run_.end) {
       double const stop = next_snapshot();
-      GridStepReport report = grid_.step(stop);
-      if (report.status == StepStatus::ok && grid_.stable_dt() < least_step * (run_.end - run_.start)) {
+      GridStepReport report = mesh_->step(stop);
+      if (std::string const trouble = mesh_->trouble(); !trouble.empty()) {
+        mesh_->capture_totals(before_, resumed_, state_.restart);
+        throw RunFailure(fmt::format("{}: {} at t = {:.6g} s (step {})", run_.name, trouble, mesh_->time(),
+                                     state_.restart.counters.steps),
+                         failure_capsule(run_, trouble, mesh_->time()));
+      }
+      if (report.status == StepStatus::ok && mesh_->stable_dt() < least_step * (run_.end - run_.start)) {
         report.status = StepStatus::time_step_vanished;
       }
       if (report.status != StepStatus::ok) {
-        capture_totals(grid_, before_, resumed_, state_.restart);
+        mesh_->capture_totals(before_, resumed_, state_.restart);
         auto const& c = report.cell;
-        throw RunFailure(
-            fmt::format("{}: {} in cell ({}, {}, {}) at t = {:.6g} s (step {})", run_.name,
-                        step_status_text(report.status), c[0], c[1], c[2], grid_.time(), state_.restart.counters.steps),
-            failure_capsule(run_, grid_, report));
+        throw RunFailure(fmt::format("{}: {} in cell ({}, {}, {}) at t = {:.6g} s (step {})", run_.name,
+                                     step_status_text(report.status), c[0], c[1], c[2], mesh_->time(),
+                                     state_.restart.counters.steps),
+                         failure_capsule(run_, grid(), report));
       }
-      record_row(GridFieldView(grid_), grid_.time(), report.dt, true, grid_.time() >= run_.end);
-      if (grid_.time() >= stop) {
+      record_row(*mesh_->view(), mesh_->time(), report.dt, true, mesh_->time() >= run_.end);
+      if (mesh_->time() >= stop) {
         keep_snapshot();
       }
-      report_progress(grid_.time());
+      report_progress(mesh_->time());
       double const elapsed = seconds_since(began_);
       bool const stopping = hooks_.interrupted();
-      if (grid_.time() < run_.end && (elapsed - saved > hooks_.checkpoint_s || stopping)) {
+      if (mesh_->time() < run_.end && (elapsed - saved > hooks_.checkpoint_s || stopping)) {
         saved = elapsed;
-        capture_totals(grid_, before_, resumed_, state_.restart);
-        capture_averages(grid_, before_, plan_.setup.options.maps, state_.restart);
+        mesh_->capture_totals(before_, resumed_, state_.restart);
+        mesh_->capture_state(state_.restart);
+        if (plan_.setup.options.maps) {
+          capture_maps(grid(), before_, state_.restart);
+        }
         record_.wall_s = wall_before_ + elapsed;
         hooks_.checkpoint(record_);
         if (stopping) {
@@ -243,7 +198,8 @@ class GridSimulation {
         }
       }
     }
-    capture_totals(grid_, before_, resumed_, state_.restart);
+    mesh_->capture_totals(before_, resumed_, state_.restart);
+    state_.restart.overset.clear();
     for (auto& field : state_.restart.averages) {
       field.clear();
     }
@@ -254,40 +210,46 @@ class GridSimulation {
   [[nodiscard]] double next_snapshot() const { return run_.output.snapshots[state_.snapshot_times.size()]; }
 
   void keep_snapshot() {
-    GridSnapshot shot = snapshot(grid_, plan_.setup.options.maps);
+    GridSnapshot shot = snapshot(grid(), plan_.setup.options.maps);
     for (std::size_t f = 0; resumed_ && f < 3; ++f) {  // counts of the earlier pieces
       if (!before_.maps[f].empty()) {
         auto& values = shot.fields[shot.fields.size() - 3 + f].values;
         std::transform(values.begin(), values.end(), before_.maps[f].begin(), values.begin(), std::plus<>{});
       }
     }
+    mesh_->complete(shot);
+    for (BodySnapshot const& body : shot.bodies) {
+      state_.surface_sizes.push_back(static_cast<double>(body.vertices.size() / 3));
+      state_.surface_sizes.push_back(static_cast<double>(body.pressure.size()));
+    }
     if (hooks_.snapshot) {
       hooks_.snapshot(state_.snapshot_times.size(), shot);
     }
-    state_.snapshot_times.push_back(grid_.time());
+    state_.snapshot_times.push_back(mesh_->time());
   }
 
   void record_row(GridView const& view, double time, double dt, bool on_grid, bool last) {
     GridRowFacts facts{.time = time, .dt = dt, .total_mass = none, .total_energy = none};
     if (on_grid) {
-      auto const stored = static_cast<double>(grid_.cells_stored());
+      auto const stored = static_cast<double>(grid().cells_stored());
       state_.cells_stored = std::max(state_.cells_stored, stored);
-      state_.bytes = std::max(state_.bytes, static_cast<double>(grid_.bytes()));
+      state_.bytes = std::max(state_.bytes, mesh_->bytes());
       facts.stored_share = stored / state_.cells;
     }
     if (!record_.history.due(time, run_.output.history_every, last)) {
       return;
     }
     if (on_grid) {
-      auto const updates = static_cast<double>(before_.counters.cell_updates + grid_.counters().cell_updates);
-      auto const skipped = static_cast<double>(before_.counters.cells_skipped + grid_.counters().cells_skipped);
+      auto const updates = static_cast<double>(before_.counters.cell_updates + grid().counters().cell_updates);
+      auto const skipped = static_cast<double>(before_.counters.cells_skipped + grid().counters().cells_skipped);
       double const done = updates - state_.seen_updates, left_out = skipped - state_.seen_skipped;
       facts.active_share = done + left_out > 0 ? done / (done + left_out) : 1.0;
       state_.seen_updates = updates, state_.seen_skipped = skipped;
-      GridLedger const ledger = grid_.ledger();
-      facts.total_mass = ledger.mass.current, facts.total_energy = ledger.energy.current;
+      std::tie(facts.total_mass, facts.total_energy) = mesh_->totals();
     }
-    record_.history.append(grid_row(view, plan_, run_.output, facts));
+    std::vector<double> row = grid_row(view, plan_, run_.output, facts);
+    mesh_->complete(row);
+    record_.history.append(row);
   }
 
   void report_progress(double time) {
@@ -303,7 +265,7 @@ class GridSimulation {
   RunRecord& record_;
   GridRecord& state_;
   RunHooks const& hooks_;
-  GasGrid grid_;
+  std::unique_ptr<GridMesh> mesh_;
   GridRestart before_;
   bool resumed_ = false;
   double wall_before_ = 0, reported_ = 0;

@@ -88,6 +88,15 @@ void write_dataset(hid_t file, std::string const& path, hid_t type, hid_t space,
   dataset.close();
 }
 
+/// The shape must hold `size` numbers.
+hid_t shape_of(std::string const& path, std::vector<std::uint64_t> const& shape, std::size_t size) {
+  std::vector<hsize_t> const dims(shape.begin(), shape.end());
+  if (std::accumulate(dims.begin(), dims.end(), hsize_t{1}, std::multiplies<>{}) != size) {
+    throw OutputError(fmt::format("HDF5: {} does not have the shape given", path));
+  }
+  return H5Screate_simple(static_cast<int>(dims.size()), dims.data(), nullptr);
+}
+
 void silence() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
 
 std::string trimmed(std::string text) {
@@ -111,13 +120,14 @@ Hdf5Writer::~Hdf5Writer() { H5Fclose(file_); }
 
 void Hdf5Writer::write(std::string const& path, std::span<double const> data, std::string const& unit,
                        std::vector<std::uint64_t> shape) {
-  std::vector<hsize_t> const dims =
-      shape.empty() ? std::vector<hsize_t>{data.size()} : std::vector<hsize_t>(shape.begin(), shape.end());
-  if (std::accumulate(dims.begin(), dims.end(), hsize_t{1}, std::multiplies<>{}) != data.size()) {
-    throw OutputError(fmt::format("HDF5: {} does not have the shape given", path));
-  }
-  Handle const space(H5Screate_simple(static_cast<int>(dims.size()), dims.data(), nullptr), H5Sclose, "make a shape");
+  if (shape.empty()) shape = {data.size()};
+  Handle const space(shape_of(path, shape, data.size()), H5Sclose, "make a shape");
   write_dataset(file_, path, H5T_NATIVE_DOUBLE, space, data.data(), &unit);
+}
+
+void Hdf5Writer::write_integers(std::string const& path, std::span<int const> data, std::vector<std::uint64_t> shape) {
+  Handle const space(shape_of(path, shape, data.size()), H5Sclose, "make a shape");
+  write_dataset(file_, path, H5T_NATIVE_INT, space, data.data(), nullptr);
 }
 
 void Hdf5Writer::write_text(std::string const& path, std::string const& text) {
@@ -195,6 +205,11 @@ bool Hdf5Reader::has(std::string const& path) const {
       return true;
     }
   }
+}
+
+bool Hdf5Reader::is_group(std::string const& path) const {
+  Handle const object(H5Oopen(file_, path.c_str(), H5P_DEFAULT), H5Oclose, "open " + path + " of " + name_);
+  return H5Iget_type(object) == H5I_GROUP;
 }
 
 std::vector<std::uint64_t> Hdf5Reader::shape(std::string const& path) const {

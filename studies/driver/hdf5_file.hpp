@@ -24,6 +24,7 @@ class Hdf5Writer {
   /// Row-major data of `shape` (empty: one dimension); `unit` goes to the attribute `units`.
   void write(std::string const& path, std::span<double const> data, std::string const& unit,
              std::vector<std::uint64_t> shape = {});
+  void write_integers(std::string const& path, std::span<int const> data, std::vector<std::uint64_t> shape);
   void write_text(std::string const& path, std::string const& text);
   void write_texts(std::string const& path, std::vector<std::string> const& texts);
   void attribute(std::string const& path, std::string const& name, double value);
@@ -48,6 +49,7 @@ class Hdf5Reader {
   Hdf5Reader& operator=(Hdf5Reader const&) = delete;
 
   [[nodiscard]] bool has(std::string const& path) const;
+  [[nodiscard]] bool is_group(std::string const& path) const;
   [[nodiscard]] std::vector<double> read(std::string const& path) const;
   [[nodiscard]] std::vector<std::uint64_t> shape(std::string const& path) const;
   [[nodiscard]] std::string read_text(std::string const& path) const;

@@ -80,7 +80,7 @@ RunRecord read_run(std::filesystem::path const& file, Scene const& scene, SceneR
   record.wall_s = in.number_attribute("/run", "wall_s");
   read_history(in, record.history);
   if (run.grid) {
-    read_grid_run(in, record);
+    read_grid_run(in, run, record);
     return record;
   }
   for (std::size_t i = 0; in.has(state_path(i)); ++i) {

@@ -28,9 +28,14 @@ constexpr std::array ledger_fields{std::pair{"initial", &LedgerEntry::initial},
                                    std::pair{"from_floor", &LedgerEntry::from_floor},
                                    std::pair{"scale", &LedgerEntry::scale}};
 
-/// A record can be resumed only by the same run: scene text, overrides and the name (variant and scheme) fix it.
+/// A record can be resumed only by the same run: scene text, overrides, the name (variant and scheme) and the bodies'
+/// surfaces fix it.
 std::string identity(Scene const& scene, SceneRun const& run) {
-  return fmt::format("{}\n{}\n{}", run.name, fmt::join(scene.overrides, "\n"), scene.text);
+  std::string out = fmt::format("{}\n{}\n{}", run.name, fmt::join(scene.overrides, "\n"), scene.text);
+  for (std::size_t n = 0; run.grid && n < run.grid->bodies.size(); ++n) {
+    out += fmt::format("\n{} {:016x}", run.grid->bodies[n].file, run.grid->bodies[n].fingerprint);
+  }
+  return out;
 }
 
 }  // namespace
@@ -102,7 +107,7 @@ void write_provenance(Hdf5Writer& out, Scene const& scene, SceneRun const& run, 
 void check_identity(Hdf5Reader const& in, std::filesystem::path const& file, Scene const& scene, SceneRun const& run) {
   if (in.read_text("/provenance/identity") != identity(scene, run)) {
     throw InputError(file.string(), "--resume", "was written by another scene or with other settings",
-                     "restore the scene and --set as they were, or run without --resume");
+                     "restore the scene, its surfaces and --set as they were, or run without --resume");
   }
 }
 

@@ -52,6 +52,20 @@ std::optional<double> probe_at(char const* field, History const& history, Expect
   return column_at("probe/" + e.probe + "/" + field, history, e);
 }
 
+std::optional<double> body_at(char const* field, History const& history, Expectation const& e) {
+  return column_at("body/" + e.body + "/" + field + (e.axis.empty() ? "" : "_" + e.axis), history, e);
+}
+
+/// Momentum that a body holds and the gas did not give it: what interpolation between its grids made.
+std::optional<double> body_momentum_rest(History const& history, OutputPlan const&, Expectation const& e) {
+  std::string const column = "body/" + e.body + "/momentum_" + e.axis;
+  if (!history.has(column) || history[column].empty()) {
+    return std::nullopt;
+  }
+  return finite(history.at(column, *e.time) - history[column].front() -
+                history.at("body/" + e.body + "/impulse_" + e.axis, *e.time));
+}
+
 }  // namespace
 
 std::vector<HistoryQuantity> const& all_quantities() {
@@ -87,6 +101,41 @@ std::vector<HistoryQuantity> const& all_quantities() {
        [](History const& h, OutputPlan const&, Expectation const& e) { return column_at("total_mass", h, e); }},
       {"total_energy", "energy in the domain", dimension::energy, "time", false, true,
        [](History const& h, OutputPlan const&, Expectation const& e) { return column_at("total_energy", h, e); }},
+      {"body_position", "place of a body's centre of mass", dimension::length, "time body axis", false, true,
+       [](History const& h, OutputPlan const&, Expectation const& e) { return body_at("centre", h, e); }},
+      {"body_velocity", "velocity of a body's centre of mass", dimension::velocity, "time body axis", false, true,
+       [](History const& h, OutputPlan const&, Expectation const& e) { return body_at("velocity", h, e); }},
+      {"body_momentum", "momentum of a body", dimension::momentum, "time body axis", false, true,
+       [](History const& h, OutputPlan const&, Expectation const& e) { return body_at("momentum", h, e); }},
+      {"body_impulse", "momentum that the gas has given a body through its surface", dimension::momentum,
+       "time body axis", false, true,
+       [](History const& h, OutputPlan const&, Expectation const& e) { return body_at("impulse", h, e); }},
+      {"body_momentum_rest", "momentum of a body less that of the start and the impulse", dimension::momentum,
+       "time body axis", false, true, body_momentum_rest},
+      {"body_angular_momentum", "angular momentum of a body about its centre of mass", dimension::angular_momentum,
+       "time body axis", false, true,
+       [](History const& h, OutputPlan const&, Expectation const& e) { return body_at("angular_momentum", h, e); }},
+      {"body_extent", "extent of a body along an axis", dimension::length, "time body axis", false, true,
+       [](History const& h, OutputPlan const&, Expectation const& e) { return body_at("extent", h, e); }},
+      {"body_mass", "mass of a body", dimension::mass, "time body", false, true,
+       [](History const& h, OutputPlan const&, Expectation const& e) { return body_at("mass", h, e); }},
+      {"body_volume", "volume of a body", dimension::volume, "time body", false, true,
+       [](History const& h, OutputPlan const&, Expectation const& e) { return body_at("volume", h, e); }},
+      {"body_kinetic_energy", "kinetic energy of a body", dimension::energy, "time body", false, true,
+       [](History const& h, OutputPlan const&, Expectation const& e) { return body_at("kinetic_energy", h, e); }},
+      {"body_energy", "total energy of a body", dimension::energy, "time body", false, true,
+       [](History const& h, OutputPlan const&, Expectation const& e) { return body_at("energy", h, e); }},
+      {"body_plastic_strain", "largest equivalent plastic strain in a body", dimension::number, "time body", false,
+       true, [](History const& h, OutputPlan const&, Expectation const& e) { return body_at("plastic_strain", h, e); }},
+      {"face_position", "mean place of the triangles that faced one way at the start", dimension::length,
+       "time probe face axis", false, true,
+       [](History const& h, OutputPlan const&, Expectation const& e) {
+         return probe_at(("position_" + e.axis).c_str(), h, e);
+       }},
+      {"face_velocity", "their mean velocity", dimension::velocity, "time probe face axis", false, true,
+       [](History const& h, OutputPlan const&, Expectation const& e) {
+         return probe_at(("velocity_" + e.axis).c_str(), h, e);
+       }},
   };
   return table;
 }

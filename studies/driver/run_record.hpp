@@ -1,5 +1,6 @@
 #pragma once
 /// What one run has produced so far, and all that is needed to continue it.
+#include <map>
 #include <string>
 #include <vector>
 
@@ -28,13 +29,30 @@ struct Restart {
   GasLedger ledger;
 };
 
+/// Where the content of a body, or of the gas outside of all bodies, went. `from_source`: what passed the contact, the
+/// impulse and the work of the pressures on the triangles. The residual is what interpolation between the grids and the
+/// motion of the surface gained or lost.
+struct ContentLedger {
+  LedgerEntry mass, energy;
+  std::array<LedgerEntry, 3> momentum;
+  std::array<LedgerEntry, 3> angular;  ///< of a body, about its centre of mass
+};
+
+/// Of model problems at the bodies' triangles.
+struct ProblemCounts {
+  double solved = 0, first_order = 0, kept = 0;  ///< redone by Godunov's scheme; failed there too and left as they were
+};
+
 /// The same of a grid. Arrays are [nz][ny][nx]; none once the run has ended.
 struct GridRestart {
   double time = 0;
   std::array<std::vector<double>, 5> averages;  ///< mass, momentum, energy
   std::array<std::vector<double>, 3> maps;      ///< switched, cured, repaired
   GridCounters counters;
-  GridLedger ledger;
+  GridLedger ledger;                  ///< with bodies: of the gas outside of them
+  std::vector<ContentLedger> bodies;  ///< [bodies]
+  ProblemCounts problems;
+  std::map<std::string, std::vector<double>> overset;  ///< with bodies: what their solver goes on from
 };
 
 /// The first phase of a grid's run, on a line.
@@ -50,16 +68,27 @@ struct GridRecord {
   GridRestart restart;
   LinePhase line;
   std::vector<double> snapshot_times;             ///< of the states written so far
+  std::vector<double> surface_sizes;              ///< [states][bodies][vertices, triangles]
   double cells = 0, cells_stored = 0, bytes = 0;  ///< cells outside blocks; largest number stored, and bytes
   double tiles = 0;
   double seen_updates = 0, seen_skipped = 0;  ///< cell updates up to the last row of the history
   bool begun = false;                         ///< the grid holds the state: past the first phase
 };
 
+/// A body at one time: its surface, and fields on its own grid.
+struct BodySnapshot {
+  std::string name;
+  std::vector<double> vertices;            ///< [vertices][3], m
+  std::vector<int> triangles;              ///< [triangles][3]
+  std::vector<double> velocity, pressure;  ///< of the contact: [triangles][3], m/s; [triangles], Pa
+  std::vector<HistoryColumn> fields;       ///< [nz][ny][nx]; 0 where the cell is not of the body
+};
+
 /// Fields of a grid at one time, each [nz][ny][nx].
 struct GridSnapshot {
   double time = 0;
   std::vector<HistoryColumn> fields;  ///< name, unit, values
+  std::vector<BodySnapshot> bodies;
 };
 
 struct RunRecord {

@@ -36,6 +36,11 @@ std::vector<std::string> const& ray_names() {
   return names;
 }
 
+std::vector<std::string> const& face_names() {
+  static std::vector<std::string> const names{"-x", "+x", "-y", "+y", "-z", "+z"};
+  return names;
+}
+
 std::size_t SceneRun::cells() const {
   if (!grid) {
     return setup.faces.size() - 1;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "fsi/overset/body.hpp"
 #include "scheme/step/gas_grid.hpp"
 
 namespace g27 {
@@ -21,12 +22,21 @@ struct Probe {
   Vec3 position{0, 0, 0};  ///< m; a line's in the first entry
 };
 
+/// Follows the triangles of a body that faced one way at the start.
+struct BodyProbe {
+  std::string name;
+  std::size_t body = 0;  ///< in the run's bodies
+  std::size_t axis = 0;  ///< of the outward normal
+  double sign = 1;
+};
+
 /// What a run records.
 struct OutputPlan {
   std::vector<double> snapshots;  ///< times [s], increasing, within the run
   double history_every = 0;       ///< s; 0: every step
   double threshold = 0;           ///< pressure [Pa] that marks a shock's or a wall's arrival
   std::vector<Probe> probes;
+  std::vector<BodyProbe> body_probes;
   int map_times = 200;   ///< slices of a line's x-t map
   Vec3 origin{0, 0, 0};  ///< of a grid: where the rays that measure shock radii start
   bool repairs = false;  ///< of a grid: how often switch, cure and repair acted in each cell
@@ -42,11 +52,24 @@ struct LineStart {
   double clearance = 0;   ///< distance of the centre to the nearest obstacle: the phase ends before the wave gets there
 };
 
+/// A deforming body in the gas.
+struct SceneBody {
+  std::string name, key;             ///< "top", "body.0"
+  std::string file;                  ///< of its surface, as the scene names it
+  std::uint64_t fingerprint = 0;     ///< of that file's bytes
+  std::vector<std::string> remarks;  ///< what was repaired, and whether it was meshed anew
+  double density = 0;                ///< unstressed [kg/m^3]
+  BodySetup setup;
+};
+
 /// What a run on a grid of two or three dimensions has in the place of a line's setup.
 struct GridRun {
   GasGridSetup setup;
   GridInitial initial;
   std::optional<LineStart> line;
+  std::vector<SceneBody> bodies;
+  std::function<GasPoint(Vec3 const& x)> point{};  ///< of a run with bodies: the state at the start
+  bool closure = false;                            ///< momentum of bodies is what the pressures gave them
 };
 
 /// One run of a scene: a variant of the scene with one scheme.
@@ -70,7 +93,7 @@ struct SceneRun {
 /// A figure that a run must reproduce.
 struct Expectation {
   std::string quantity;  ///< a name of all_quantities()
-  std::string variant, probe, axis;
+  std::string variant, probe, body, axis;
   std::vector<std::string> schemes;           ///< judged; the others are shown
   std::optional<double> time, after, window;  ///< s; `after`: since arrival
   double value = 0, tolerance = 0;            ///< SI; the tolerance is absolute
@@ -98,5 +121,6 @@ std::vector<std::string> const& symmetry_names();    ///< planar cylindrical sph
 std::vector<std::string> const& transverse_names();  ///< own-cell averaged none
 std::vector<std::string> const& side_names();        ///< x_low x_high y_low y_high z_low z_high
 std::vector<std::string> const& ray_names();         ///< x y z diagonal
+std::vector<std::string> const& face_names();        ///< -x +x -y +y -z +z
 
 }  // namespace g27

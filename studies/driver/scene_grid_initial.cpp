@@ -169,6 +169,16 @@ GridRegions read_regions(Section const& root, AnyEos const& eos, int dimensions)
   return out;
 }
 
+std::function<GasPoint(Vec3 const&)> make_point_initial(std::vector<GridRegion> regions) {
+  return [regions = std::move(regions)](Vec3 const& x) {
+    std::size_t top = regions.size() - 1;
+    while (top > 0 && regions[top].distance(x) > 0) {
+      --top;
+    }
+    return regions[top].state(x);
+  };
+}
+
 GridInitial make_initial(std::vector<GridRegion> regions, AnyEos const& eos, int dimensions) {
   return [regions = std::move(regions), eos, dimensions](Vec3 const& centre, Vec3 const& widths) -> GasDensities {
     Vec3 half{0, 0, 0};

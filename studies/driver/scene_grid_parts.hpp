@@ -40,6 +40,15 @@ GridRegions read_regions(Section const& root, AnyEos const& eos, int dimensions)
 /// varies over 4^3 (4^2).
 GridInitial make_initial(std::vector<GridRegion> regions, AnyEos const& eos, int dimensions);
 
+/// The same at a point: the state of the topmost region there.
+std::function<GasPoint(Vec3 const&)> make_point_initial(std::vector<GridRegion> regions);
+
+/// [[body]]: placed, meshed and checked. `point`: the gas's state at the start.
+std::vector<SceneBody> read_bodies(Section const& root, GridBox const& box,
+                                   std::function<GasPoint(Vec3 const&)> const& point);
+/// Gas cells that a body keeps from the sides of the domain, and from other bodies.
+inline constexpr double side_gap_cells = 3, body_gap_cells = 1;
+
 /// [start]: a first phase in one dimension.
 std::optional<LineStart> read_line_start(Section const& root, GridRegions const& regions, GridRun const& grid,
                                          double start, double end);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fsi/surface/gap.hpp"
 #include "scheme/grid/line.hpp"
 #include "scheme/step/gauss.hpp"
 #include "studies/driver/scene_grid_parts.hpp"
@@ -47,6 +48,23 @@ double distance_to_block(SolidBlock const& block, GridBox const& box, Vec3 const
     squared += gap * gap;
   }
   return std::sqrt(squared);
+}
+
+/// Distance to the nearest body; bodies wait at rest for the wave.
+double distance_to_bodies(Section const& section, std::vector<SceneBody> const& bodies, Vec3 const& centre) {
+  double nearest = 1e300;
+  for (SceneBody const& body : bodies) {
+    TriangleSurface const& surface = body.setup.surface;
+    bool const moves = std::any_of(surface.vertices.begin(), surface.vertices.end(), [&](Vec3 const& x) {
+      return dot(body.setup.initial(x).u, body.setup.initial(x).u) > 0;
+    });
+    if (moves) {
+      throw section.error("", fmt::format("needs bodies at rest, but '{}' moves", body.name),
+                          "remove [start], or the body's velocity and spin");
+    }
+    nearest = within(centre, surface) ? 0.0 : std::min(nearest, distance(centre, surface));
+  }
+  return nearest;
 }
 
 /// Distance to the nearest block, or side that the centre does not lie on; those it lies on must be walls.
@@ -124,14 +142,16 @@ std::optional<LineStart> read_line_start(Section const& root, GridRegions const&
   GridBox const box{grid.setup.lower, grid.setup.upper, grid.setup.cells};
   LineStart out;
   out.centre = common_centre(section, regions.list);
-  out.clearance = clearance(section, grid.setup, box, out.centre);
+  out.clearance =
+      std::min(clearance(section, grid.setup, box, out.centre), distance_to_bodies(section, grid.bodies, out.centre));
   double largest = 0;
   for (GridRegion const& region : regions.list) {
     largest = std::max(largest, region.radius);
   }
   if (!(largest < out.clearance)) {
     throw section.error(
-        "", fmt::format("has data that reach {} m, but the nearest side or block is at {} m", largest, out.clearance),
+        "",
+        fmt::format("has data that reach {} m, but the nearest side, block or body is at {} m", largest, out.clearance),
         "remove [start]: the flow is never symmetric");
   }
   if (!section.has("one_dimensional_until") && !section.has("one_dimensional_radius")) {
@@ -148,9 +168,10 @@ std::optional<LineStart> read_line_start(Section const& root, GridRegions const&
   if (section.has("one_dimensional_radius")) {
     out.radius = section.positive("one_dimensional_radius", dimension::length);
     if (!(out.radius > largest && out.radius < out.clearance)) {
-      throw section.error("one_dimensional_radius", fmt::format("{} m is out of range", out.radius),
-                          fmt::format("choose it from {} m, where the data end, to {} m, the nearest side or block",
-                                      largest, out.clearance));
+      throw section.error(
+          "one_dimensional_radius", fmt::format("{} m is out of range", out.radius),
+          fmt::format("choose it from {} m, where the data end, to {} m, the nearest side, block or body", largest,
+                      out.clearance));
     }
   }
 

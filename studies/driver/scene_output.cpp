@@ -17,6 +17,11 @@ std::vector<std::string> output_keys(int dimensions) {
   return {"snapshots", "every", "threshold", "probe", "origin", "repairs"};
 }
 
+std::vector<std::string> probe_keys(std::vector<std::string> const& bodies) {
+  return bodies.empty() ? std::vector<std::string>{"name", "position"}
+                        : std::vector<std::string>{"name", "position", "body", "face"};
+}
+
 std::string unit_of(Node const& node) {
   auto const* text = std::get_if<std::string>(&node.value);
   if (text == nullptr) {
@@ -64,16 +69,27 @@ std::vector<Node> spread(Section const& section) {
   return out;
 }
 
-void check_probe(Section const& root, Section const& section, std::string const& name, int dimensions) {
-  bool known = false;
+/// `probe` of an expectation: one of the scene, on a body's face or in the gas as the quantity asks.
+std::string read_expected_probe(Section const& root, Section const& section, std::vector<std::string> const& bodies,
+                                int dimensions, std::string const& quantity, bool on_face) {
+  std::string const name = section.text("probe");
   if (root.has("output")) {
-    for (Section const& probe : root.table("output", output_keys(dimensions)).tables("probe", {"name", "position"})) {
-      known = known || probe.text("name") == name;
+    for (Section const& probe : root.table("output", output_keys(dimensions)).tables("probe", probe_keys(bodies))) {
+      if (probe.text("name") != name) {
+        continue;
+      }
+      if (on_face && !probe.has("body")) {
+        throw section.error("probe", fmt::format("'{}' is not on a body, as '{}' needs", name, quantity),
+                            "name a probe with body and face");
+      }
+      if (probe.has("body") && quantity == "probe_density") {
+        throw section.error("probe", fmt::format("'{}' is on a body's face, which has no density", name),
+                            "name a probe with a position");
+      }
+      return name;
     }
   }
-  if (!known) {
-    throw section.error("probe", fmt::format("'{}' is not in [[output.probe]]", name), "name one of the probes");
-  }
+  throw section.error("probe", fmt::format("'{}' is not in [[output.probe]]", name), "name one of the probes");
 }
 
 std::vector<std::string> read_judged_schemes(Section const& section) {
@@ -94,10 +110,10 @@ std::vector<std::string> read_judged_schemes(Section const& section) {
 }
 
 Expectation read_expectation(Section const& root, Section const& section, std::vector<std::string> const& variants,
-                             int dimensions) {
+                             int dimensions, std::vector<std::string> const& bodies) {
   std::vector<std::string> names;
   for (auto const& quantity : all_quantities()) {
-    if (dimensions == 1 ? quantity.on_line : quantity.on_grid) {
+    if ((dimensions == 1 ? quantity.on_line : quantity.on_grid) && (!bodies.empty() || !quantity.of_bodies())) {
       names.push_back(quantity.name);
     }
   }
@@ -121,9 +137,13 @@ Expectation read_expectation(Section const& root, Section const& section, std::v
     throw section.error("quantity", fmt::format("'{}' needs output.threshold", e.quantity),
                         "add threshold = \"10 bar\" to [output]");
   }
+  if (takes("body")) {
+    e.body = bodies[index_of_choice(section, "body", section.text("body"), bodies)];
+  } else if (section.has("body")) {
+    throw section.error("body", fmt::format("is not used by '{}'", e.quantity), "remove body");
+  }
   if (takes("probe")) {
-    e.probe = section.text("probe");
-    check_probe(root, section, e.probe, dimensions);
+    e.probe = read_expected_probe(root, section, bodies, dimensions, e.quantity, takes("face"));
   } else if (section.has("probe")) {
     throw section.error("probe", fmt::format("is not used by '{}'", e.quantity), "remove probe");
   }
@@ -131,6 +151,9 @@ Expectation read_expectation(Section const& root, Section const& section, std::v
     auto rays = ray_names();
     if (dimensions == 2) {
       std::erase(rays, "z");
+    }
+    if (quantity.of_bodies()) {
+      std::erase(rays, "diagonal");
     }
     e.axis = rays[index_of_choice(section, "axis", section.text("axis"), rays)];
   } else if (section.has("axis")) {
@@ -149,8 +172,9 @@ Expectation read_expectation(Section const& root, Section const& section, std::v
 
 /// Adds a probe; one beyond the domain is an error below its lower corner and left out above its upper one, since a
 /// variant may have a smaller domain.
-void read_probe(Section const& section, Extent const& extent, std::vector<Probe>& probes) {
+void read_probe(Section const& section, Extent const& extent, OutputPlan& plan) {
   Probe read{.name = section.text("name")};
+  std::vector<Probe>& probes = plan.probes;
   if (read.name.empty() || read.name.find('/') != std::string::npos) {
     throw section.error("name", "is empty or has a slash", "give a short name");
   }
@@ -158,6 +182,22 @@ void read_probe(Section const& section, Extent const& extent, std::vector<Probe>
     if (other.name == read.name) {
       throw section.error("name", fmt::format("'{}' is taken", read.name), "give each probe its own name");
     }
+  }
+  for (BodyProbe const& other : plan.body_probes) {
+    if (other.name == read.name) {
+      throw section.error("name", fmt::format("'{}' is taken", read.name), "give each probe its own name");
+    }
+  }
+  if (section.has("body") || section.has("face")) {
+    if (section.has("position")) {
+      throw section.error("position", "is given beside a body", "keep position, or body and face");
+    }
+    std::size_t const face = index_of_choice(section, "face", section.text("face"), face_names());
+    plan.body_probes.push_back({.name = read.name,
+                                .body = index_of_choice(section, "body", section.text("body"), extent.bodies),
+                                .axis = face / 2,
+                                .sign = face % 2 == 0 ? -1.0 : 1.0});
+    return;
   }
   if (extent.dimensions == 1) {
     read.position[0] = section.quantity("position", dimension::length);
@@ -212,24 +252,27 @@ OutputPlan read_output(Section const& root, double start, double end, Extent con
   if (section.has("origin")) {
     plan.origin = section.point("origin", dimension::length, dimensions);
   }
-  for (Section const& probe : section.tables("probe", {"name", "position"})) {
-    read_probe(probe, extent, plan.probes);
+  for (Section const& probe : section.tables("probe", probe_keys(extent.bodies))) {
+    read_probe(probe, extent, plan);
   }
   return plan;
 }
 
 std::vector<Expectation> read_expectations(Section const& root, std::vector<std::string> const& variants,
-                                           int dimensions) {
+                                           int dimensions, std::vector<std::string> const& bodies) {
   std::vector<std::string> keys{"quantity", "variant", "probe",     "schemes", "time",  "after",
                                 "window",   "value",   "tolerance", "source",  "judged"};
   if (dimensions > 1) {
     keys.emplace_back("axis");
   }
+  if (!bodies.empty()) {
+    keys.emplace_back("body");
+  }
   std::vector<Expectation> out;
   for (Section const& section : root.tables("expect", keys)) {
     for (Node const& node : spread(section)) {
       out.push_back(
-          read_expectation(root, Section(section.reading(), node, section.path(), keys), variants, dimensions));
+          read_expectation(root, Section(section.reading(), node, section.path(), keys), variants, dimensions, bodies));
     }
   }
   return out;

@@ -8,6 +8,16 @@ namespace g27 {
 /// [material.NAME] eos = { type = ..., parameters }.
 AnyEos read_eos(Section const& root);
 
+/// A material with strength.
+struct Solid {
+  AnySolid law;
+  double density = 0;  ///< unstressed [kg/m^3]
+};
+/// The one that a [[body]] names.
+Solid read_solid(Section const& root, Section const& body);
+/// State without deviatoric stress at a pressure [Pa]: compressed where the law is p(rho), else of the given density.
+SolidPoint solid_at_rest(Solid const& solid, double pressure);
+
 /// [domain] extent with cells or cell, and mesh: positions of the faces.
 std::vector<double> read_faces(Section const& domain);
 /// [domain] motion.
@@ -35,18 +45,23 @@ std::vector<Charge> read_charges(Section const& root, AnyEos const& eos, Symmetr
 /// [scheme]: one set of options a scheme asked for.
 std::vector<GasSchemeOptions> read_schemes(Section const& root, double cfl);
 std::vector<GridSchemeOptions> read_grid_schemes(Section const& root, double cfl, int dimensions);
+/// [scheme] closure.
+bool read_closure(Section const& root);
+/// Bodies know the schemes of first and second order, and the sum rule for the time step.
+void check_schemes_of_bodies(Section const& root, GridSchemeOptions const& options);
 
-/// Where probes may lie: the corners of the domain, in its first `dimensions` entries.
+/// Where probes may lie: the corners of the domain, in its first `dimensions` entries, and the names of the bodies.
 struct Extent {
   Vec3 lower{0, 0, 0}, upper{0, 0, 0};
   int dimensions = 1;
+  std::vector<std::string> bodies{};
 };
 /// [output], for a run from `start` to `end`.
 OutputPlan read_output(Section const& root, double start, double end, Extent const& extent);
 
 /// [[expect]].
 std::vector<Expectation> read_expectations(Section const& root, std::vector<std::string> const& variants,
-                                           int dimensions);
+                                           int dimensions, std::vector<std::string> const& bodies);
 
 /// `keys` and those of a state: material, density, velocity, pressure.
 std::vector<std::string> with_state_keys(std::vector<std::string> keys);

@@ -13,7 +13,7 @@ namespace {
 
 std::vector<std::string> const root_keys{"title",    "source",  "name",   "time",   "scheme",  "domain",
                                          "material", "ambient", "region", "charge", "initial", "output",
-                                         "expect",   "variant", "block",  "start"};
+                                         "expect",   "variant", "block",  "start",  "body"};
 
 /// Lays `over` onto `base`: tables merge, everything else replaces.
 void merge(Node& base, Node const& over) {
@@ -105,9 +105,10 @@ void name_run(SceneRun& run, Predictor predictor) {
 
 /// One dimension.
 std::vector<SceneRun> read_line_runs(Section const& root, SceneRun run) {
-  for (char const* key : {"block", "start"}) {
+  for (char const* key : {"block", "start", "body"}) {
     if (root.has(key)) {
-      throw root.error(key, "is for two and three dimensions",
+      bool const body = std::string(key) == "body";
+      throw root.error(key, body ? "needs three dimensions" : "is for two and three dimensions",
                        "remove it, or give domain.extent = [[...], [...]] with an interval for each axis");
     }
   }
@@ -155,14 +156,20 @@ std::vector<SceneRun> read_grid_runs(Section const& root, SceneRun run) {
   run.start = regions.start.value_or(0);
   double const cfl = read_time(root, run);
   grid.initial = make_initial(regions.list, grid.setup.eos, dimensions);
+  grid.point = make_point_initial(regions.list);
+  grid.bodies = read_bodies(root, box, grid.point);
   grid.line = read_line_start(root, regions, grid, run.start, run.end);
-  run.output = read_output(root, run.start, run.end, {box.lower, box.upper, dimensions});
+  std::vector<std::string> names;
+  for (SceneBody const& body : grid.bodies) names.push_back(body.name);
+  run.output = read_output(root, run.start, run.end, {box.lower, box.upper, dimensions, names});
   if (grid.line && (!root.has("output") || root.need("output", "").find("origin") == nullptr)) {
     run.output.origin = grid.line->centre;
   }
 
   std::vector<SceneRun> runs;
+  if (!grid.bodies.empty()) grid.closure = read_closure(root);
   for (GridSchemeOptions options : read_grid_schemes(root, cfl, dimensions)) {
+    if (!grid.bodies.empty()) check_schemes_of_bodies(root, options);
     options.maps = run.output.repairs;
     grid.setup.options = options;
     if (grid.line) {
@@ -213,7 +220,7 @@ Scene read_scene(std::filesystem::path const& file, std::vector<std::string> con
   std::vector<std::string> variants{root.text("name", "main")};
   scene.runs = read_variant(reading, base, variants[0]);
   std::vector<std::string> const variant_keys{"name",   "time",    "scheme", "domain", "ambient", "region",
-                                              "charge", "initial", "output", "block",  "start"};
+                                              "charge", "initial", "output", "block",  "start",   "body"};
   for (Section const& section : root.tables("variant", variant_keys)) {
     std::string const name = section.text("name");
     for (std::string const& other : variants) {
@@ -235,7 +242,11 @@ Scene read_scene(std::filesystem::path const& file, std::vector<std::string> con
   if (slug(variants[0]).empty()) {
     throw root.error("name", "has no letter or digit", "name the run in plain letters");
   }
-  scene.expect = read_expectations(root, variants, scene.runs[0].dimensions());
+  std::vector<std::string> bodies;
+  for (SceneRun const& run : scene.runs) {
+    for (std::size_t n = 0; run.grid && n < run.grid->bodies.size(); ++n) bodies.push_back(run.grid->bodies[n].name);
+  }
+  scene.expect = read_expectations(root, variants, scene.runs[0].dimensions(), bodies);
   scene.bare_numbers = reading.bare_numbers;
   return scene;
 }

@@ -81,8 +81,12 @@ std::vector<GridSchemeOptions> read_grid_schemes(Section const& root, double cfl
   if (!root.has("scheme")) {
     return {options};
   }
-  Section const section = root.table("scheme", {"order", "name", "switch", "riemann", "linear_star", "transverse",
-                                                "cure", "repair", "skip", "max_rule", "tile"});
+  std::vector<std::string> keys{"order", "name",   "switch", "riemann",  "linear_star", "transverse",
+                                "cure",  "repair", "skip",   "max_rule", "tile"};
+  if (root.has("body")) {
+    keys.emplace_back("closure");
+  }
+  Section const section = root.table("scheme", keys);
   read_common(section, options);
   options.transverse = static_cast<Transverse>(section.choice("transverse", transverse_names(), 0));
   options.cure = section.flag("cure", options.cure);
@@ -93,6 +97,30 @@ std::vector<GridSchemeOptions> read_grid_schemes(Section const& root, double cfl
     options.tile = section.counts("tile", static_cast<std::size_t>(dimensions), 4, 1024);
   }
   return one_each(section, options);
+}
+
+bool read_closure(Section const& root) {
+  Node const* scheme = root.node().find("scheme");
+  if (scheme == nullptr || scheme->find("closure") == nullptr) {
+    return false;
+  }
+  std::vector<std::string> every_key;
+  for (NodeEntry const& entry : std::get<Node::Table>(scheme->value)) {
+    every_key.push_back(entry.key);
+  }
+  return root.table("scheme", every_key).flag("closure", false);
+}
+
+void check_schemes_of_bodies(Section const& root, GridSchemeOptions const& options) {
+  if (options.predictor != Predictor::godunov && options.predictor != Predictor::linear) {
+    throw root.error("scheme",
+                     fmt::format("asks for '{}', which bodies do not know",
+                                 predictor_names()[static_cast<std::size_t>(options.predictor)]),
+                     "choose order = 1 or 2");
+  }
+  if (options.max_rule) {
+    throw root.error("scheme", "asks for max_rule, which bodies do not know", "remove max_rule");
+  }
 }
 
 }  // namespace g27

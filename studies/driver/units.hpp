@@ -26,6 +26,10 @@ inline constexpr Dimension pressure{"pressure", "1 bar", {1, -1, -2, 0, 0}};
 inline constexpr Dimension impulse{"impulse per area", "28 GPa us", {1, -1, -1, 0, 0}};
 inline constexpr Dimension mass{"mass", "1 kg", {1, 0, 0, 0, 0}};
 inline constexpr Dimension energy{"energy", "1 MJ", {1, 2, -2, 0, 0}};
+inline constexpr Dimension volume{"volume", "1 cm3", {0, 3, 0, 0, 0}};
+inline constexpr Dimension momentum{"momentum", "1 N s", {1, 1, -1, 0, 0}};
+inline constexpr Dimension angular_momentum{"angular momentum", "1 N m s", {1, 2, -1, 0, 0}};
+inline constexpr Dimension angular_velocity{"angular velocity", "100 rad/s", {0, 0, -1, 0, 1}};
 inline constexpr Dimension angle{"angle", "45 deg", {0, 0, 0, 0, 1}};
 }  // namespace dimension
 

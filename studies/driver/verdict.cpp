@@ -22,6 +22,9 @@ std::string condition(Expectation const& e) {
   if (!e.axis.empty()) {
     out += " along " + e.axis;
   }
+  if (!e.body.empty()) {
+    out += " of " + e.body;
+  }
   return e.probe.empty() ? out : out + " at " + e.probe;
 }
 

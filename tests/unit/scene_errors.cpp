@@ -264,12 +264,12 @@ std::vector<Mistake> const grid_mistakes{
     {"[output]", "[initial]\ntype = \"table\"\n[output]", "initial", "one dimension", "[[region]]"},
     // the first phase
     {"one_dimensional_radius = \"0.3 m\"", "", "start.one_dimensional_until", "missing", "one_dimensional_radius"},
-    {"one_dimensional_radius = \"0.3 m\"", "one_dimensional_radius = \"0.1 m\"", "start.one_dimensional_radius", "out of range", "nearest side or block"},
+    {"one_dimensional_radius = \"0.3 m\"", "one_dimensional_radius = \"0.1 m\"", "start.one_dimensional_radius", "out of range", "nearest side, block or body"},
     {"one_dimensional_radius = \"0.3 m\"", "one_dimensional_radius = \"0.6 m\"", "start.one_dimensional_radius", "out of range", "0.5 m"},
     {"one_dimensional_radius = \"0.3 m\"", "one_dimensional_until = \"2 ms\"", "start.one_dimensional_until", "not within the run", "choose it"},
     {"pressure = \"9 bar\"", "pressure = \"9 bar\"\nvelocity = [\"1 m/s\", \"0 m/s\", \"0 m/s\"]", "start", "region.0 moves", "remove [start]"},
     {"x_low = \"symmetry\", ", "x_low = \"outflow\", ", "start", "not a plane of symmetry", "x_low = \"symmetry\""},
-    {"radius = \"0.2 m\"", "radius = \"0.55 m\"", "start", "nearest side or block", "remove [start]"},
+    {"radius = \"0.2 m\"", "radius = \"0.55 m\"", "start", "nearest side, block or body", "remove [start]"},
     // output, expectations, variants
     {"position = [\"0.5 m\", \"0.5 m\", \"0.1 m\"]", "position = \"0.5 m\"", "output.probe.0.position", "not a list", "write ["},
     {"position = [\"0.5 m\", \"0.5 m\", \"0.1 m\"]", "position = [\"0.5 m\", \"-0.5 m\", \"0.1 m\"]", "output.probe.0.position", "outside", "choose it"},

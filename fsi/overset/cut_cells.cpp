@@ -1,0 +1,38 @@
+#include "fsi/overset/cut_cells.hpp"
+
+#include <algorithm>
+
+namespace g27 {
+
+std::vector<CellPart> parts_within(CellKinds const& kinds, int rays) {
+  WindowBox const& box = kinds.box();
+  std::vector<CellPart> parts(kinds.count());
+  std::vector<double> crossings;
+  double const piece = 1.0 / (rays * rays), inverse = 1 / box.h;
+  for (int k = 0; k < box.size[2]; ++k) {
+    for (int j = 0; j < box.size[1]; ++j) {
+      if (kinds.is_image(static_cast<std::size_t>(kinds.index({-box.first[0], j, k})))) continue;
+      Vec3 const middle = kinds.centre({0, j, k});
+      for (int ray = 0; ray < rays * rays; ++ray) {
+        double const y = middle[1] + ((ray % rays + 0.5) / rays - 0.5) * box.h;
+        double const z = middle[2] + ((ray / rays + 0.5) / rays - 0.5) * box.h;
+        kinds.crossings(j, k, y, z, crossings);
+        for (std::size_t n = 0; n + 1 < crossings.size(); n += 2) {
+          double const from = crossings[n], to = crossings[n + 1];
+          int const last = kinds.cell_of({to, y, z})[0];
+          for (int i = kinds.cell_of({from, y, z})[0]; i <= last; ++i) {
+            double const x = box.lower[0] + (box.first[0] + i) * box.h;
+            double const low = std::max(from, x), high = std::min(to, x + box.h);
+            if (high <= low) continue;
+            CellPart& p = parts[static_cast<std::size_t>(kinds.index({i, j, k}))];
+            double const w = (high - low) * inverse * piece;
+            p.share += w, p.moment = p.moment + w * Vec3{0.5 * (low + high), y, z};
+          }
+        }
+      }
+    }
+  }
+  return parts;
+}
+
+}  // namespace g27

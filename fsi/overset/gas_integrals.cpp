@@ -1,0 +1,98 @@
+#include "fsi/overset/gas_integrals.hpp"
+
+#include "fsi/overset/body_integrals.hpp"
+#include "fsi/overset/cut_cells.hpp"
+
+namespace g27 {
+
+namespace {
+
+/// A cell near bodies: the window that speaks for it, and its part outside of them.
+struct NearCell {
+  Body const* body;
+  Int3 cell;     ///< in the grid
+  double share;  ///< outside
+  Vec3 centre;   ///< of that part [m]
+};
+
+/// Each cell of the bodies' windows once. Parts of cut cells within the bodies are scaled, so that they and the whole
+/// cells add up to the polyhedra's volume.
+std::vector<NearCell> near_cells(OversetSolver const& solver, int rays) {
+  Int3 const n = solver.gas().cells();
+  auto const place = [&](Int3 const& c) {
+    return static_cast<std::size_t>(c[0]) +
+           static_cast<std::size_t>(n[0]) *
+               (static_cast<std::size_t>(c[1]) + static_cast<std::size_t>(n[1]) * static_cast<std::size_t>(c[2]));
+  };
+  std::vector<bool> seen(solver.bodies().size() > 1 ? place({0, 0, n[2]}) : 0);
+  std::vector<NearCell> out;
+  std::vector<Vec3> moments;
+  double whole = 0, cut = 0, volume = 0;
+  for (auto const& body : solver.bodies()) {
+    volume += enclosed(*body).volume;
+    CellKinds const& kinds = body->gas.kinds;
+    auto const parts = parts_within(kinds, rays);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      if (kinds.is_image(i)) continue;
+      Int3 const cell = kinds.in_grid(kinds.cell(i));
+      if (!seen.empty()) {
+        if (seen[place(cell)]) continue;
+        seen[place(cell)] = true;
+      }
+      bool const is_cut = kinds.kind(i) == CellKind::cut;
+      double const inside = is_cut ? parts[i].share : kinds.valid(i) ? 0.0 : 1.0;
+      (is_cut ? cut : whole) += inside;
+      out.push_back({body.get(), cell, 1 - inside, kinds.centre(kinds.cell(i))});
+      moments.push_back(parts[i].moment);
+    }
+  }
+  double const h = solver.gas().widths()[0], scale = cut > 0 ? (volume / (h * h * h) - whole) / cut : 1.0;
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    NearCell& c = out[i];
+    if (!(c.share > 0 && c.share < 1)) continue;
+    c.centre = (1 / c.share) * (c.centre - moments[i]);
+    c.share = std::max(0.0, 1 - scale * (1 - c.share));
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<double> gas_share(OversetSolver const& solver, int rays) {
+  Int3 const n = solver.gas().cells();
+  auto const size = [&](std::size_t a) { return static_cast<std::size_t>(n[a]); };
+  std::vector<double> out(size(0) * size(1) * size(2), 1.0);
+  for (NearCell const& c : near_cells(solver, rays)) {
+    out[static_cast<std::size_t>(c.cell[0]) +
+        size(0) * (static_cast<std::size_t>(c.cell[1]) + size(1) * static_cast<std::size_t>(c.cell[2]))] = c.share;
+  }
+  return out;
+}
+
+GasIntegrals gas_integrals(OversetSolver const& solver, int rays) {
+  GasGrid const& gas = solver.gas();
+  Vec3 const h = gas.widths();
+  double const volume = h[0] * h[1] * h[2];
+  GasIntegrals out;
+  auto const add = [&](double v, Vec3 const& x, GasDensities const& q) {
+    out.volume += v, out.mass += v * q.mass, out.energy += v * q.energy;
+    Vec3 const momentum = v * q.momentum;
+    out.momentum = out.momentum + momentum, out.angular = out.angular + cross(x, momentum);
+  };
+  Int3 const n = gas.cells();
+  for (int k = 0; k < n[2]; ++k) {
+    for (int j = 0; j < n[1]; ++j) {
+      for (int i = 0; i < n[0]; ++i) add(volume, gas.centre({i, j, k}), gas.average({i, j, k}));
+    }
+  }
+  for (NearCell const& c : near_cells(solver, rays)) {
+    if (c.share == 1) continue;
+    add(-volume, gas.centre(c.cell), gas.average(c.cell));
+    if (!(c.share > 0)) continue;
+    GasFields const q = c.body->gas.donors.at(c.centre, Donors<GasFields>::From::valid, c.body->ambient);
+    add(c.share * volume, c.centre, densities_of(gas.setup().eos, q));
+  }
+  return out;
+}
+
+}  // namespace g27

@@ -1,0 +1,147 @@
+#include "studies/driver/body_ledger.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "studies/driver/output_parts.hpp"
+#include "studies/driver/scene_run.hpp"
+
+namespace g27 {
+namespace {
+
+/// Calls f(name, unit, entry) with every entry; angular momentum where `angular`.
+template <class Ledger, class F>
+void for_each_entry(Ledger&& ledger, bool angular, F const& f) {
+  f("mass", "kg", ledger.mass);
+  for (std::size_t d = 0; d < 3; ++d) f("momentum_" + ray_names()[d], "N s", ledger.momentum[d]);
+  for (std::size_t d = 0; angular && d < 3; ++d) f("angular_momentum_" + ray_names()[d], "N m s", ledger.angular[d]);
+  f("energy", "J", ledger.energy);
+}
+
+ContentLedger of_gas(GridRestart const& r) {
+  return {.mass = r.ledger.mass, .energy = r.ledger.energy, .momentum = r.ledger.momentum, .angular = {}};
+}
+
+}  // namespace
+
+ContentLedger ledger_of(BodyIntegrals const& body) {
+  ContentLedger out;
+  out.mass.initial = body.mass, out.energy.initial = body.energy;
+  for (std::size_t d = 0; d < 3; ++d) {
+    out.momentum[d].initial = body.momentum[d], out.angular[d].initial = body.angular[d];
+  }
+  note_scale(body, out);
+  return out;
+}
+
+void note_scale(BodyIntegrals const& now, ContentLedger& ledger) {
+  auto const note = [](LedgerEntry& entry, double size) { entry.scale = std::max(entry.scale, size); };
+  double const about = now.inertia[0] + now.inertia[1] + now.inertia[2];
+  note(ledger.mass, now.mass), note(ledger.energy, std::fabs(now.energy));
+  for (LedgerEntry& entry : ledger.momentum) note(entry, std::sqrt(2 * now.mass * now.kinetic));
+  for (LedgerEntry& entry : ledger.angular) note(entry, std::sqrt(2 * about * now.kinetic));
+}
+
+void set_current(BodyIntegrals const& now, BodyMomentum const& given, ContentLedger& ledger) {
+  ledger.mass.current = now.mass, ledger.energy.current = now.energy, ledger.energy.from_source = given.work;
+  for (std::size_t d = 0; d < 3; ++d) {
+    LedgerEntry &p = ledger.momentum[d], &l = ledger.angular[d];
+    p.current = now.momentum[d], p.from_source = given.linear[d] - p.initial;
+    l.current = now.angular[d], l.from_source = given.angular[d] - l.initial;
+  }
+}
+
+void write_body_ledgers(Hdf5Writer& out, SceneRun const& run, GridRestart const& restart) {
+  if (restart.bodies.empty()) return;
+  for_each_entry(of_gas(restart), false, [&](std::string const& name, char const*, LedgerEntry const& entry) {
+    out.attribute("/ledger/" + name, "through_contact", entry.from_source);
+  });
+  for (std::size_t n = 0; n < restart.bodies.size(); ++n) {
+    std::string const group = "body/" + run.grid->bodies[n].name + "/";
+    for_each_entry(restart.bodies[n], true, [&](std::string const& name, char const*, LedgerEntry const& entry) {
+      write_ledger(out, group + name, entry);
+      out.attribute("/ledger/" + group + name, "through_contact", entry.from_source);
+    });
+  }
+}
+
+void read_body_ledgers(Hdf5Reader const& in, SceneRun const& run, GridRestart& restart) {
+  restart.bodies.clear();
+  for (SceneBody const& body : run.grid->bodies) {
+    std::string const group = "body/" + body.name + "/";
+    if (!in.has("/ledger/" + group + "mass")) continue;
+    for_each_entry(restart.bodies.emplace_back(), true, [&](std::string const& name, char const*, LedgerEntry& entry) {
+      entry = read_ledger(in, group + name);
+    });
+  }
+}
+
+Table body_table(Scene const& scene, SceneResult const& result) {
+  Table table{.name = "bodies",
+              .title = "Bodies at the end",
+              .columns = {{"run", "1"},
+                          {"body", "1"},
+                          {"x", "m"},
+                          {"y", "m"},
+                          {"z", "m"},
+                          {"u", "m/s"},
+                          {"v", "m/s"},
+                          {"w", "m/s"},
+                          {"kinetic energy", "J"},
+                          {"plastic strain", "%"},
+                          {"problems", "1"},
+                          {"of first order", "1"},
+                          {"kept", "1"}},
+              .rows = {},
+              .facts = {}};
+  for (SceneRun const& run : scene.runs) {
+    auto const found = result.records.find(run.name);
+    if (found == result.records.end()) continue;
+    History const& history = found->second.history;
+    ProblemCounts const& p = found->second.grid->restart.problems;
+    for (SceneBody const& body : run.grid->bodies) {
+      auto const last = [&](std::string const& column) { return history["body/" + body.name + "/" + column].back(); };
+      table.rows.push_back({run.name, body.name, last("centre_x"), last("centre_y"), last("centre_z"),
+                            last("velocity_x"), last("velocity_y"), last("velocity_z"), last("kinetic_energy"),
+                            100 * last("plastic_strain"), p.solved, p.first_order, p.kept});
+    }
+  }
+  return table;
+}
+
+Table ledger_table(Scene const& scene, SceneResult const& result) {
+  Table table{.name = "ledger",
+              .title = "Gas outside of the bodies, and bodies: rest is what interpolation and moving surfaces made",
+              .columns = {{"run", "1"},
+                          {"of", "1"},
+                          {"quantity", "1"},
+                          {"unit", "1"},
+                          {"at the start", "1"},
+                          {"at the end", "1"},
+                          {"through sides", "1"},
+                          {"through contact", "1"},
+                          {"rest", "1"},
+                          {"rest over scale", "%"}},
+              .rows = {},
+              .facts = {}};
+  for (SceneRun const& run : scene.runs) {
+    auto const found = result.records.find(run.name);
+    if (found == result.records.end() || run.grid->bodies.empty()) continue;
+    auto const add = [&](std::string const& of, ContentLedger const& ledger, bool body) {
+      for_each_entry(ledger, body, [&](std::string const& name, char const* unit, LedgerEntry const& e) {
+        double const rest = e.current - e.initial - e.through_boundary - e.from_source - e.from_floor;
+        table.rows.push_back({run.name, of, name, unit, e.initial, e.current,
+                              body ? Value(std::string("-")) : Value(e.through_boundary), e.from_source, rest,
+                              100 * e.residual()});
+      });
+    };
+    GridRestart const& restart = found->second.grid->restart;
+    add("gas", of_gas(restart), false);
+    for (std::size_t n = 0; n < restart.bodies.size(); ++n) add(run.grid->bodies[n].name, restart.bodies[n], true);
+  }
+  return table;
+}
+
+}  // namespace g27
