@@ -3,8 +3,8 @@
 #include <memory>
 
 #include "fsi/overset/closure.hpp"
-#include "fsi/overset/remeshing.hpp"
 #include "fsi/overset/overset_state.hpp"
+#include "fsi/overset/remeshing.hpp"
 
 namespace g27 {
 

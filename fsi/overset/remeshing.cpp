@@ -114,7 +114,7 @@ bool same_place(TriangleSurface const& a, std::size_t s, TriangleSurface const& 
 LocalRemeshCounts remesh(Body& body, Remeshing const& options) {
   double const h = body.setup.cell;
   LocalRemeshOptions const limits{.shortest = options.shortest * h, .longest = options.longest * h};
-  if (!options.on || body.cut.mirrors.any() || !needs_remeshing(body.surface, limits)) return {};
+  if (!options.on || !needs_remeshing(body.surface, limits)) return {};
   LocalRemesh changed = local_remesh(body.surface, limits);
   if (changed.counts.refused > 0) return changed.counts;
   OldSurface old(body);
@@ -143,6 +143,7 @@ LocalRemeshCounts remesh(Body& body, Remeshing const& options) {
     set_numbers(triangles[t], sum);
   }
   body.surface = std::move(changed.surface), body.triangles = std::move(triangles);
+  body.cut = find_cut(body.surface, body.cut.mirrors, 1e-3 * h);
   body.connect(), body.place_triangles();
   return changed.counts;
 }

@@ -12,7 +12,7 @@ struct Remeshing {
   double shortest = 0.4, longest = 1.7;  ///< edges
 };
 
-/// Nothing if no edge and no triangle is beyond the limits, nor of a body that a plane of symmetry cuts. A new triangle's state is the mean over the old ones in
+/// Nothing if no edge and no triangle is beyond the limits. A new triangle's state is the mean over the old ones in
 /// its place, each continued to its centre by the slopes along the surface and kept within the range of what is
 /// around it; velocities may leave it by one range.
 LocalRemeshCounts remesh(Body& body, Remeshing const& options);

@@ -83,13 +83,18 @@ class Remesher {
     Half const h = mesh_.halfedge(f);
     return {at(mesh_.source(h)), at(mesh_.target(h)), at(mesh_.target(mesh_.next(h)))};
   }
+  [[nodiscard]] bool at_border(Edge e) const {
+    return mesh_.is_border(mesh_.vertex(e, 0)) || mesh_.is_border(mesh_.vertex(e, 1));
+  }
   [[nodiscard]] bool sharp(Edge e) const {
+    if (mesh_.is_border(e)) return true;
     Vec3 const a = area_of(corners(mesh_.face(mesh_.halfedge(e, 0)))),
                b = area_of(corners(mesh_.face(mesh_.halfedge(e, 1))));
     return dot(a, b) < cos_sharp_ * length(a) * length(b);
   }
   /// `line`: neighbours along the sharp line, where the vertex lies on one.
   [[nodiscard]] Place place(Vertex v, std::array<Vertex, 2>& line) const {
+    if (mesh_.is_border(v)) return Place::corner;
     std::size_t n = 0;
     for (Half const h : mesh_.halfedges_around_target(mesh_.halfedge(v))) {
       if (!sharp(mesh_.edge(h))) continue;
@@ -121,16 +126,20 @@ class Remesher {
 
   void split() {
     for (Edge const e : edges_by([&](Edge e) { return o_.longest - length_of(e); })) {
-      Half const h = mesh_.halfedge(e);
+      Half h = mesh_.halfedge(e);
+      if (mesh_.is_border(h)) h = mesh_.opposite(h);
+      bool const border = mesh_.is_border(mesh_.opposite(h));
       Vec3 const middle = 0.5 * (at(mesh_.source(h)) + at(mesh_.target(h)));
-      std::array<std::vector<int>, 2> const parents{parents_[mesh_.face(h)], parents_[mesh_.face(mesh_.opposite(h))]};
+      std::array<std::vector<int>, 2> parents{parents_[mesh_.face(h)], {}};
+      if (!border) parents[1] = parents_[mesh_.face(mesh_.opposite(h))];
       Half const half = CGAL::Euler::split_edge(h, mesh_), back = mesh_.opposite(half);
       put(mesh_.target(half), middle);
       Half const one = CGAL::Euler::split_face(half, mesh_.next(mesh_.next(half)), mesh_);
-      Half const two = CGAL::Euler::split_face(mesh_.prev(back), mesh_.next(back), mesh_);
       for (Half const s : {one, mesh_.opposite(one)}) parents_[mesh_.face(s)] = parents[0];
-      for (Half const s : {two, mesh_.opposite(two)}) parents_[mesh_.face(s)] = parents[1];
       ++counts_.splits;
+      if (border) continue;
+      Half const two = CGAL::Euler::split_face(mesh_.prev(back), mesh_.next(back), mesh_);
+      for (Half const s : {two, mesh_.opposite(two)}) parents_[mesh_.face(s)] = parents[1];
     }
   }
 
@@ -167,6 +176,7 @@ class Remesher {
 
   void collapse() {
     auto const wanted = [&](Edge e) {
+      if (at_border(e)) return 1.0;
       double const l = length_of(e);
       if (l < o_.shortest) return l - o_.shortest;
       // the shortest edge of a flat triangle
@@ -240,6 +250,7 @@ class Remesher {
 
   void flip() {
     auto const wanted = [&](Edge e) {
+      if (mesh_.is_border(e)) return 1.0;
       double const worst = std::min(height_of(corners(mesh_.face(mesh_.halfedge(e, 0)))),
                                     height_of(corners(mesh_.face(mesh_.halfedge(e, 1)))));
       return worst < wanted_height && !sharp(e) ? worst - 1 : 1.0;
@@ -273,6 +284,7 @@ class Remesher {
   /// Vertices of flat triangles go towards the middle of their neighbours, along the side or the line that they are on.
   void move() {
     for (Vertex const v : mesh_.vertices()) {
+      if (mesh_.is_border(v)) continue;
       double worst = 1;
       for (Half const h : mesh_.halfedges_around_target(mesh_.halfedge(v))) {
         worst = std::min(worst, height_of(corners(mesh_.face(h))));

@@ -22,6 +22,7 @@ OversetSolver cube_in_blast(int planes) {
   double const h = size / cells;
   OversetSetup s{.gas = symmetric_cube(IdealGas{1.4}, size, cells, planes)};
   s.closure = true;
+  s.remeshing.on = false;
   // what decides by a threshold, or is exact at walls alone, would not be the same to round-off
   s.gas.options.cure = s.gas.options.linear_star = false;
   s.gas.options.monotonicity = s.solid_options.monotonicity = s.local.monotonicity = Switch::off;
@@ -55,6 +56,7 @@ OversetSolver plate_between_walls(bool twice) {
                    .cells = {16, twice ? 12 : 6, 4}};
   for (std::size_t side : {2u, 3u, 4u, 5u}) gas.sides[side].kind = GridBoundary::Kind::wall;
   OversetSetup s{.gas = gas, .bodies = {}};
+  s.remeshing.on = false;
   s.gas.options.cure = s.gas.options.linear_star = false;
   s.gas.options.monotonicity = s.solid_options.monotonicity = s.local.monotonicity = Switch::off;
   TriangleSurface part = clip_at_origin(make_box({thickness, 2, 2}, 0.83 * h), 0, 0);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "fsi/surface/clip.hpp"
 #include "fsi/surface/diagnosis.hpp"
 #include "fsi/surface/polygon_mesh.hpp"
 #include "fsi/surface/shapes.hpp"
@@ -94,4 +95,29 @@ TEST_CASE("parents are the triangles whose place a new one has", "[surface]") {
   LocalRemesh const again = local_remesh(s, {.shortest = 0.08, .longest = 0.34});
   CHECK(again.surface.vertices == r.surface.vertices);
   CHECK(again.surface.triangles == r.surface.triangles);
+}
+
+TEST_CASE("the border of an open surface is parted in its plane and else left alone", "[surface]") {
+  LocalRemeshOptions const limits{.shortest = 0.04, .longest = 0.17};
+  TriangleSurface s = clip_at_origin(make_box({1, 1, 1}, 0.1), 1, 1e-9);
+  for (Vec3& x : s.vertices) x = {0.6 * x[0], 2.5 * x[1], 0.8 * x[2]};
+  // by the divergence of (x, 0, 0), to which the open side at x = 0 adds nothing
+  auto const closed_volume = [](TriangleSurface const& of) {
+    double v = 0;
+    for (std::size_t t = 0; t < of.size(); ++t) v += of.area_vector(t)[0] * of.centre(t)[0];
+    return v;
+  };
+  Mended const m = mended(s, limits);
+  CHECK(m.counts.splits > 0);
+  CHECK(m.counts.refused == 0);
+  CHECK(closed_volume(m.surface) == Approx(closed_volume(s)).epsilon(1e-12));
+  CHECK(closed_volume(s) == Approx(0.5 * 0.6 * 2.5 * 0.8).epsilon(1e-12));
+  for (SurfaceFinding const& f : diagnose(m.surface).findings) {
+    CHECK(f.fault == Fault::open_edge);
+    for (int t : f.triangles) {
+      auto const corners = m.surface.corners(static_cast<std::size_t>(t));
+      CHECK(std::count_if(corners.begin(), corners.end(), [](Vec3 const& x) { return x[0] == 0; }) >= 2);
+    }
+  }
+  for (double const l : edge_lengths(m.surface)) CHECK(l < limits.longest);
 }
