@@ -13,6 +13,7 @@ struct OversetSetup {
   SolidSchemeOptions solid_options{};
   ModelOptions local{};  ///< of the model problems
   Remeshing remeshing{};
+  bool skip = true;      ///< bodies that nothing has reached are left alone
   bool closure = false;  ///< momentum and angular momentum of the bodies are those that the pressures gave them
   double cfl = 0;        ///< 0: chosen, 0.8, or 0.7 with a body that yields
   double growth = 1.2;   ///< of the time step, at most
@@ -21,6 +22,7 @@ struct OversetSetup {
 
 struct OversetCounters {
   std::uint64_t steps = 0, problems = 0;  ///< model problems solved
+  std::uint64_t skipped = 0;              ///< model problems of bodies that nothing had reached
   std::uint64_t first_order = 0;          ///< of them redone by Godunov's scheme
   std::uint64_t failed = 0;               ///< of those kept as they were
   LocalRemeshCounts remeshing{};
