@@ -6,6 +6,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "fsi/overset/asleep.hpp"
+
 namespace g27 {
 
 namespace {
@@ -22,6 +24,7 @@ struct OversetSolver::Impl {
   std::vector<std::vector<ModelProblems>> problems;  ///< [body][thread]
   std::vector<std::vector<ModelResult>> results;     ///< [body][triangle]
   std::vector<BodyMomentum> momenta;
+  std::vector<char> sleeping;  ///< [body]: nothing has reached it; it never falls asleep again
   OversetCounters counters;
   double time = 0, last_dt = 0;
   int threads;
@@ -53,6 +56,7 @@ struct OversetSolver::Impl {
     }
     OversetClock const clock = clock_of(from);
     time = clock.time, last_dt = clock.last_dt, counters = clock.counters;
+    for (std::size_t n = 0; n < bodies.size(); ++n) sleeping[n] = from.at("sleeping").at(n) != 0 ? 1 : 0;
     classify();
     set_clouds();
   }
@@ -62,6 +66,7 @@ struct OversetSolver::Impl {
     save_gas(gas, out);
     for (std::size_t n = 0; n < bodies.size(); ++n) save_body(*bodies[n], momenta[n], n, out);
     save_clock({time, last_dt, counters}, out);
+    out.arrays["sleeping"].assign(sleeping.begin(), sleeping.end());
     return out;
   }
 
@@ -77,6 +82,7 @@ struct OversetSolver::Impl {
       if (setup.cfl <= 0) setup.cfl = 0.8;
       if (b.material.plastic()) setup.cfl = std::min(setup.cfl, 0.7);
     }
+    sleeping.assign(bodies.size(), setup.skip ? 1 : 0);
   }
 
   [[nodiscard]] GasFields gas_at(Vec3 const& x) const {
@@ -185,12 +191,14 @@ struct OversetSolver::Impl {
   /// Cells that the schemes have not updated: those of the medium from its donors, those around it continued, the rest
   /// at rest. `started`: every valid cell has its state already.
   void write_back(bool started) {
-    for (auto const& b : bodies) {
+    for (std::size_t n = 0; n < bodies.size(); ++n) {
+      auto const& b = bodies[n];
       std::vector<Int3> cells;
       std::vector<GasDensities> gas_averages;
       fill(b->gas, started, b->ambient, cells,
            [&](GasFields const& q) { gas_averages.push_back(densities_of(setup.gas.eos, q)); });
       gas.replace(cells, gas_averages);
+      if (!started && sleeping[n] != 0) continue;
       cells.clear();
       std::vector<SolidDensities> solid_averages;
       Vec3 mean{0, 0, 0};
@@ -282,6 +290,10 @@ struct OversetSolver::Impl {
   void solve_problems(double dt) {
     for (std::size_t n = 0; n < bodies.size(); ++n) {
       Body& b = *bodies[n];
+      if (sleeping[n] != 0) {
+        counters.skipped += b.triangles.size();
+        continue;
+      }
       std::size_t const count = b.triangles.size(), batches = (count + ModelProblems::lanes - 1) / ModelProblems::lanes;
       std::vector<std::array<Vec3, 2>> gradient(count);
       results[n].resize(count);
@@ -309,6 +321,7 @@ struct OversetSolver::Impl {
     GridStepReport report{.status = StepStatus::ok, .cell = {}, .dt = dt};
     if (!(dt > 0)) return {StepStatus::time_step_vanished, {}, dt};
     double const began = seconds();
+    for (std::size_t n = 0; n < bodies.size(); ++n) sleeping[n] = sleeping[n] != 0 && asleep(*bodies[n]) ? 1 : 0;
     solve_problems(dt);
     double const solved = seconds();
     while (gas.time() < time + dt) {
@@ -316,14 +329,22 @@ struct OversetSolver::Impl {
       if (r.status != StepStatus::ok) return r;
     }
     double const gas_done = seconds();
-    for (auto const& b : bodies) {
-      while (b->grid.time() < time + dt) {
-        GridStepReport const r = b->grid.step(time + dt);
+    for (std::size_t n = 0; n < bodies.size(); ++n) {
+      SolidGrid& grid = bodies[n]->grid;
+      if (sleeping[n] != 0) grid.rest(time + dt);
+      while (grid.time() < time + dt) {
+        GridStepReport const r = grid.step(time + dt);
         if (r.status != StepStatus::ok) return r;
       }
     }
     double const solid_done = seconds();
-    for (std::size_t n = 0; n < bodies.size(); ++n) accept(*bodies[n], results[n], dt, momenta[n]);
+    for (std::size_t n = 0; n < bodies.size(); ++n) {
+      if (sleeping[n] != 0) {
+        add_impulse(*bodies[n], dt, momenta[n]);
+      } else {
+        accept(*bodies[n], results[n], dt, momenta[n]);
+      }
+    }
     classify();
     double const placed = seconds();
     read_states(false), set_clouds(), write_back(false);

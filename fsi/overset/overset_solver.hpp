@@ -14,6 +14,7 @@ struct OversetSetup {
   SolidSchemeOptions solid_options{};
   ModelOptions local{};  ///< of the model problems
   Remeshing remeshing{};
+  bool skip = true;      ///< bodies that nothing has reached are left alone
   bool closure = false;  ///< momentum and angular momentum of the bodies are those that the pressures gave them
   double cfl = 0;        ///< 0: chosen, 0.8, or 0.7 with a body that yields
   double growth = 1.2;   ///< of the time step, at most

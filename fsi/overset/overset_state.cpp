@@ -79,7 +79,7 @@ void for_each_member_of_clock(Clock& c, F const& f) {
 }
 
 constexpr std::array counts{&OversetCounters::steps, &OversetCounters::problems, &OversetCounters::first_order,
-                            &OversetCounters::failed};
+                            &OversetCounters::failed, &OversetCounters::skipped};
 constexpr std::array remesh_counts{&LocalRemeshCounts::splits, &LocalRemeshCounts::collapses, &LocalRemeshCounts::flips,
                                    &LocalRemeshCounts::moves, &LocalRemeshCounts::refused};
 

@@ -12,6 +12,7 @@ namespace g27 {
 
 struct OversetCounters {
   std::uint64_t steps = 0, problems = 0;  ///< model problems solved
+  std::uint64_t skipped = 0;              ///< model problems of bodies that nothing had reached
   std::uint64_t first_order = 0;          ///< of them redone by Godunov's scheme
   std::uint64_t failed = 0;               ///< of those kept as they were
   LocalRemeshCounts remeshing{};

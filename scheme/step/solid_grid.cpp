@@ -217,6 +217,7 @@ void SolidGrid::replace(std::span<Int3 const> cells, std::span<SolidDensities co
 }
 
 GridStepReport SolidGrid::step(double t_end) { return impl_->step(t_end); }
+void SolidGrid::rest(double t_end) noexcept { impl_->context.time += t_end - impl_->context.time; }
 int SolidGrid::dimensions() const noexcept {
   int axes = 0;
   for (bool swept : impl_->context.swept) axes += swept ? 1 : 0;

@@ -49,6 +49,8 @@ class SolidGrid {
 
   /// One step, not beyond t_end; on failure the state is that before the step.
   GridStepReport step(double t_end);
+  /// Time passes until t_end and nothing happens: the step of a uniform state at rest.
+  void rest(double t_end) noexcept;
 
   [[nodiscard]] int dimensions() const noexcept;
   [[nodiscard]] Int3 cells() const noexcept;

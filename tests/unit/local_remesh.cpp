@@ -99,7 +99,7 @@ TEST_CASE("parents are the triangles whose place a new one has", "[surface]") {
 
 TEST_CASE("the border of an open surface is parted in its plane and else left alone", "[surface]") {
   LocalRemeshOptions const limits{.shortest = 0.04, .longest = 0.17};
-  TriangleSurface s = clip_at_origin(make_box({1, 1, 1}, 0.1), 1, 1e-9);
+  TriangleSurface s = clip_surface(make_box({1, 1, 1}, 0.1), 0, 0, true, 1e-9);
   for (Vec3& x : s.vertices) x = {0.6 * x[0], 2.5 * x[1], 0.8 * x[2]};
   // by the divergence of (x, 0, 0), to which the open side at x = 0 adds nothing
   auto const closed_volume = [](TriangleSurface const& of) {

@@ -78,6 +78,7 @@ void add_facts(OversetSolver const& solver, CaseResult& r) {
   for (auto const& b : solver.bodies()) triangles += static_cast<double>(b->triangles.size());
   r.facts["triangles"] = triangles;
   r.facts["problems_first_order"] = static_cast<double>(c.first_order);
+  r.facts["problems_skipped"] = static_cast<double>(c.skipped);
   r.facts["problems_failed"] = static_cast<double>(c.failed);
   LocalRemeshCounts const& m = c.remeshing;
   r.facts["remeshing_splits"] = static_cast<double>(m.splits);
