@@ -377,6 +377,18 @@ TEST_CASE("a body that leaves its box, or comes to another, ends the run and say
   CHECK(met.find("bodies 'cube' and 'other'") != std::string::npos);
 }
 
+TEST_CASE("a run is not resumed with another surface", "[resume]") {
+  Folder const folder;
+  fs::path const file = folder.path / "a.h5";
+  g27::Scene const scene = read(folder);
+  g27::write_run(file, scene, scene.runs[0], g27::RunRecord(scene.runs[0]), 1);
+  CHECK_NOTHROW(g27::check_resumable(file, scene, scene.runs[0]));
+  fs::copy_file(folder.path / "coarse.stl", folder.path / "cube.stl", fs::copy_options::overwrite_existing);
+  g27::Scene const other = read(folder);
+  CHECK(other.text == scene.text);
+  CHECK_THROWS_AS(g27::check_resumable(file, other, other.runs[0]), g27::InputError);
+}
+
 TEST_CASE("a run without bodies is that of the grid alone, bit by bit", "[grid-run]") {
   Folder const folder;
   std::string text = scene_text;
