@@ -5,11 +5,6 @@
 
 namespace g27 {
 
-namespace {
-
-constexpr int margin = 4;  ///< cells of a window beyond the box that the body stays in
-
-/// Sides of the domain that are walls all over.
 Mirrors walls_of(GasGridSetup const& gas) {
   Mirrors m{.lower = gas.lower, .upper = gas.upper};
   auto const wall = [&](std::size_t side) {
@@ -21,6 +16,10 @@ Mirrors walls_of(GasGridSetup const& gas) {
   for (std::size_t a = 0; a < 3; ++a) m.low[a] = wall(2 * a), m.high[a] = wall(2 * a + 1);
   return m;
 }
+
+namespace {
+
+constexpr int margin = 4;  ///< cells of a window beyond the box that the body stays in
 
 /// The box that a body stays in ends at the planes that cut it.
 BodySetup bounded(BodySetup s, Mirrors const& cut) {
@@ -99,6 +98,7 @@ Body::Body(BodySetup s, GasGrid const& gas_grid, SolidSchemeOptions const& optio
       solid(solid_window(setup, cut.mirrors), true),
       gas(gas_box(setup, gas_grid), false) {
   connect(), place_triangles();
+  for (TriangleState& t : triangles) t.at_start = t.frame.n;
 }
 
 void Body::connect() {

@@ -18,7 +18,10 @@ struct BodySetup {
   std::function<SolidPoint(Vec3 const&)> initial;  ///< state at the start
 };
 
-/// The cells of its grid: the box and a margin.
+/// Sides of the domain that are walls all over: they may cut bodies.
+Mirrors walls_of(GasGridSetup const& gas);
+
+/// The cells of its grid: the box and a margin; beyond planes that cut the body images.
 WindowBox solid_window(BodySetup const& setup, Mirrors const& cut = {});
 
 /// What is known at a triangle between steps.
@@ -30,6 +33,7 @@ struct TriangleState {
   std::array<SolidFields, core_layers> solid{};
   Vec3 velocity{0, 0, 0};          ///< of the contact [m/s]
   double pressure = 0;             ///< at the contact [Pa]
+  Vec3 at_start{0, 0, 0};          ///< outward normal at the start
   std::array<Vec3, 2> gradient{};  ///< of the solid's velocity along the frame's a and b [1/s]
 };
 

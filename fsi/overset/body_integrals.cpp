@@ -16,19 +16,20 @@ double mean_product(Vec3 const& f, Vec3 const& g) noexcept {
 
 }  // namespace
 
-Enclosed enclosed(Body const& body) {
+Enclosed enclosed(Body const& body) { return enclosed(body.surface, body.cut.mirrors); }
+
+Enclosed enclosed(TriangleSurface const& surface, Mirrors const& m) {
   // By the divergence of x_k F along an axis k that at most one plane cuts, with x_k = 0 there: then neither that
   // plane's part of the boundary counts nor those of planes across other axes.
-  Mirrors const& m = body.cut.mirrors;
   std::size_t axis = 0;
   while (axis < 2 && m.low[axis] && m.high[axis]) ++axis;
-  BoundingBox const box = bounding_box(body.surface);
+  BoundingBox const box = bounding_box(surface);
   Vec3 origin = 0.5 * (box.lower + box.upper);
   if (m.across(axis)) origin[axis] = m.low[axis] ? m.lower[axis] : m.upper[axis];
   Enclosed out;
-  for (std::size_t t = 0; t < body.surface.size(); ++t) {
-    auto const corners = body.surface.corners(t);
-    double const area = body.surface.area_vector(t)[axis];
+  for (std::size_t t = 0; t < surface.size(); ++t) {
+    auto const corners = surface.corners(t);
+    double const area = surface.area_vector(t)[axis];
     std::array<Vec3, 3> x;  // [axis][corner]
     for (std::size_t a = 0; a < 3; ++a) {
       for (std::size_t c = 0; c < 3; ++c) x[a][c] = corners[c][a] - origin[a];

@@ -10,6 +10,8 @@ struct Enclosed {
   Vec3 centroid{0, 0, 0};  ///< [m]
 };
 Enclosed enclosed(Body const& body);
+/// Of a surface that planes cut.
+Enclosed enclosed(TriangleSurface const& surface, Mirrors const& cut);
 
 /// Of a body that planes of symmetry cut: of the part within the domain.
 struct BodyIntegrals {

@@ -67,7 +67,7 @@ template <class State, class F>
 void for_each_member(State& t, F const& f) {
   for (auto& q : t.gas) f(q);
   for (auto& q : t.solid) f(q);
-  f(t.velocity), f(t.pressure);
+  f(t.velocity), f(t.pressure), f(t.at_start);
   for (auto& g : t.gradient) f(g);
 }
 

@@ -22,6 +22,11 @@ struct WindowBox {
   Int3 first{0, 0, 0};  ///< first cell of the window, in the grid; negative: an image beyond a mirror
   Int3 size{0, 0, 0};   ///< cells
   Mirrors mirrors{};    ///< on sides of the grid
+
+  /// Lower corner of the window [m].
+  [[nodiscard]] Vec3 corner() const noexcept {
+    return {lower[0] + first[0] * h, lower[1] + first[1] * h, lower[2] + first[2] * h};
+  }
 };
 
 /// Points of which the cloud's states are known.

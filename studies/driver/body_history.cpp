@@ -33,12 +33,10 @@ double largest_plastic_strain(Body const& body) {
 
 /// Area means over the triangles whose outward normal at the start was within 45 degrees of the probe's.
 void add_face(BodyProbe const& probe, Body const& body, std::vector<double>& row) {
-  TriangleSurface const& start = body.setup.surface;
   Vec3 position{0, 0, 0}, velocity{0, 0, 0};
   double area = 0, pressure = 0;
-  for (std::size_t n = 0; n < body.triangles.size(); ++n) {
-    if (!(probe.sign * start.normal(n)[probe.axis] > std::sqrt(0.5))) continue;
-    TriangleState const& t = body.triangles[n];
+  for (TriangleState const& t : body.triangles) {
+    if (!(probe.sign * t.at_start[probe.axis] > std::sqrt(0.5))) continue;
     area += t.area, pressure += t.area * t.pressure;
     position = position + t.area * t.centre, velocity = velocity + t.area * t.velocity;
   }
@@ -105,7 +103,7 @@ double BodyFieldView::max_pressure() const {
   for (auto const& body : solver_->bodies()) {
     CellKinds const& kinds = body->gas.kinds;
     for (std::size_t i = 0; i < kinds.count(); ++i) {
-      if (kinds.valid(i)) continue;
+      if (kinds.valid(i) || kinds.is_image(i)) continue;
       Int3 const c = kinds.in_grid(kinds.cell(i));
       p[static_cast<std::size_t>(c[0]) +
         static_cast<std::size_t>(n[0]) * (static_cast<std::size_t>(c[1]) +

@@ -51,7 +51,7 @@ void mask(OversetSolver const& solver, GridSnapshot& shot) {
   for (auto const& body : solver.bodies()) {
     CellKinds const& kinds = body->gas.kinds;
     for (std::size_t i = 0; i < kinds.count(); ++i) {
-      if (kinds.valid(i) || kinds.in_medium(kinds.centre(kinds.cell(i)))) continue;
+      if (kinds.valid(i) || kinds.is_image(i) || kinds.in_medium(kinds.centre(kinds.cell(i)))) continue;
       Int3 const c = kinds.in_grid(kinds.cell(i));
       std::size_t const at =
           static_cast<std::size_t>(c[0]) +
@@ -101,13 +101,13 @@ void write_bodies(Hdf5Writer& out, std::string const& path, SceneRun const& run,
     out.write_integers(group + "/triangles", body.triangles, {triangles, 3});
     out.write(group + "/velocity", body.velocity, "m/s", {triangles, 3});
     out.write(group + "/pressure", body.pressure, "Pa");
-    WindowBox const box = solid_window(run.grid->bodies[n].setup);
+    WindowBox const box = solid_window(run.grid->bodies[n].setup, run.grid->bodies[n].cut);
     std::vector<std::uint64_t> shape;
     for (std::size_t a : {2u, 1u, 0u}) shape.push_back(static_cast<std::uint64_t>(box.size[a]));
     for (HistoryColumn const& field : body.fields) {
       out.write(group + "/grid/" + field.name, field.values, field.unit, shape);
     }
-    out.write(group + "/grid/lower", box.lower, "m");
+    out.write(group + "/grid/lower", box.corner(), "m");
     out.attribute(group + "/grid", "cell", box.h);
   }
 }
@@ -124,13 +124,14 @@ std::string body_xdmf(SceneRun const& run, double const* sizes, std::string cons
         body.name, triangles, item(at + "triangles", three, true), item(at + "vertices", fmt::format("{} 3", vertices)),
         attribute("velocity", "Vector", item(at + "velocity", three)),
         attribute("pressure", "Scalar", item(at + "pressure", std::to_string(triangles))));
-    WindowBox const box = solid_window(body.setup);
+    WindowBox const box = solid_window(body.setup, body.cut);
+    Vec3 const corner = box.corner();
     auto const& c = box.size;
     out += fmt::format(
         "<Grid Name=\"{} within\">\n<Topology TopologyType=\"3DCoRectMesh\" Dimensions=\"{} {} {}\"/>\n"
         "<Geometry GeometryType=\"ORIGIN_DXDYDZ\">\n<DataItem Format=\"XML\" Dimensions=\"3\">{} {} {}</DataItem>\n"
         "<DataItem Format=\"XML\" Dimensions=\"3\">{} {} {}</DataItem>\n</Geometry>\n",
-        body.name, c[2] + 1, c[1] + 1, c[0] + 1, box.lower[2], box.lower[1], box.lower[0], box.h, box.h, box.h);
+        body.name, c[2] + 1, c[1] + 1, c[0] + 1, corner[2], corner[1], corner[0], box.h, box.h, box.h);
     for (auto const& [column, unit] : solid_columns) {
       out += attribute(column, "Scalar", item(at + "grid/" + column, fmt::format("{} {} {}", c[2], c[1], c[0])));
     }

@@ -59,6 +59,8 @@ struct SceneBody {
   std::uint64_t fingerprint = 0;     ///< of that file's bytes
   std::vector<std::string> remarks;  ///< what was repaired, and whether it was meshed anew
   double density = 0;                ///< unstressed [kg/m^3]
+  TriangleSurface whole;             ///< before planes of symmetry cut it
+  Mirrors cut;                       ///< those planes
   BodySetup setup;
 };
 

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "fsi/surface/clip.hpp"
 #include "fsi/surface/gap.hpp"
 #include "fsi/surface/polygon_mesh.hpp"
 #include "studies/driver/scene_grid_parts.hpp"
@@ -45,12 +46,13 @@ BoundingBox room_in(GridBox const& box) {
   return {box.lower + Vec3{gap, gap, gap}, box.upper - Vec3{gap, gap, gap}};
 }
 
+/// But on those that cut the body.
 void check_inside(Section const& body, std::string const& key, BoundingBox const& what, GridBox const& box,
-                  std::string const& remedy) {
+                  Mirrors const& cut, std::string const& remedy) {
   BoundingBox const room = room_in(box);
   for (std::size_t a = 0; a < 3; ++a) {
-    bool const low = what.lower[a] < room.lower[a] - 1e-9 * width_of(box);
-    if (low || what.upper[a] > room.upper[a] + 1e-9 * width_of(box)) {
+    bool const low = !cut.low[a] && what.lower[a] < room.lower[a] - 1e-9 * width_of(box);
+    if (low || (!cut.high[a] && what.upper[a] > room.upper[a] + 1e-9 * width_of(box))) {
       throw body.error(
           key,
           fmt::format("reaches {}{} = {:.6g} m, beside the domain or within {} cells of its side",
@@ -61,7 +63,7 @@ void check_inside(Section const& body, std::string const& key, BoundingBox const
 }
 
 /// The box that the body stays in: as given, or on each side by the cube root of its box's volume more.
-void set_extent(Section const& body, GridBox const& box, BodySetup& setup) {
+void set_extent(Section const& body, GridBox const& box, Mirrors const& cut, BodySetup& setup) {
   BoundingBox const own = bounding_box(setup.surface);
   Vec3 const size = own.upper - own.lower;
   if (body.has("extent")) {
@@ -70,7 +72,8 @@ void set_extent(Section const& body, GridBox const& box, BodySetup& setup) {
       throw body.error("extent", fmt::format("has {} intervals", extent.size()), "give 3, one an axis");
     }
     for (std::size_t a = 0; a < 3; ++a) {
-      setup.lower[a] = extent[a][0], setup.upper[a] = extent[a][1];
+      setup.lower[a] = cut.low[a] ? cut.lower[a] : extent[a][0];
+      setup.upper[a] = cut.high[a] ? cut.upper[a] : extent[a][1];
       if (setup.lower[a] > own.lower[a] || setup.upper[a] < own.upper[a]) {
         throw body.error("extent",
                          fmt::format("does not hold the body, which reaches from {:.6g} m to {:.6g} m along {}",
@@ -78,18 +81,55 @@ void set_extent(Section const& body, GridBox const& box, BodySetup& setup) {
                          "enlarge it to where the body may go");
       }
     }
-    check_inside(body, "extent", {setup.lower, setup.upper}, box, "keep it");
+    check_inside(body, "extent", {setup.lower, setup.upper}, box, cut, "keep it");
     return;
   }
   double const way = std::cbrt(size[0] * size[1] * size[2]);
   BoundingBox const room = room_in(box);
   for (std::size_t a = 0; a < 3; ++a) {
-    setup.lower[a] = std::max(own.lower[a] - way, room.lower[a]);
-    setup.upper[a] = std::min(own.upper[a] + way, room.upper[a]);
+    setup.lower[a] = cut.low[a] ? cut.lower[a] : std::max(own.lower[a] - way, room.lower[a]);
+    setup.upper[a] = cut.high[a] ? cut.upper[a] : std::min(own.upper[a] + way, room.upper[a]);
   }
 }
 
-SceneBody read_body(Section const& root, Section const& section, GridBox const& box,
+/// The planes among `walls` that a body with this box reaches across.
+Mirrors planes_that_cut(BoundingBox const& own, Mirrors walls) {
+  for (std::size_t a = 0; a < 3; ++a) {
+    walls.low[a] = walls.low[a] && own.lower[a] < walls.lower[a];
+    walls.high[a] = walls.high[a] && own.upper[a] > walls.upper[a];
+  }
+  return walls;
+}
+
+/// The part of the body within the domain; the plane it is a mirror image at keeps its vertices.
+void cut_at(Section const& section, Mirrors const& cut, double cell, TriangleSurface& surface) {
+  constexpr double snap = 0.3;  // cells
+  try {
+    for (std::size_t a = 0; a < 3; ++a) {
+      if (cut.low[a]) surface = clip_surface(std::move(surface), a, cut.lower[a], true, snap * cell);
+      if (cut.high[a]) surface = clip_surface(std::move(surface), a, cut.upper[a], false, snap * cell);
+    }
+    find_cut(surface, cut, 1e-3 * cell);
+  } catch (SurfaceError const& error) {
+    throw section.error("center", error.problem, error.remedy);
+  }
+}
+
+/// What is mirrored at a plane does not move across it.
+void check_symmetric(Section const& section, Mirrors const& cut, Vec3 const& velocity, Vec3 const& spin) {
+  for (std::size_t a = 0; a < 3; ++a) {
+    if (!cut.across(a)) continue;
+    bool const turns = spin[(a + 1) % 3] != 0 || spin[(a + 2) % 3] != 0;
+    if (velocity[a] != 0 || turns) {
+      throw section.error(
+          turns ? "spin" : "velocity",
+          fmt::format("moves the body across the plane of symmetry that cuts it along {}", ray_names()[a]),
+          "leave it out, or compute the whole body");
+    }
+  }
+}
+
+SceneBody read_body(Section const& root, Section const& section, GridBox const& box, Mirrors const& walls,
                     std::function<GasPoint(Vec3 const&)> const& point, std::vector<SceneBody> const& others) {
   SceneBody body;
   body.name = read_name(section, others);
@@ -102,7 +142,8 @@ SceneBody read_body(Section const& root, Section const& section, GridBox const& 
   LoadedSurface loaded = load_surface(section);
   place_surface(section, loaded.surface);
   BoundingBox const own = bounding_box(loaded.surface);
-  check_inside(section, "center", own, box, "place the body");
+  body.cut = planes_that_cut(own, walls);
+  check_inside(section, "center", own, box, body.cut, "place the body");
   Vec3 const size = own.upper - own.lower;
   MassProperties const mass = mass_properties(loaded.surface);
   // 6 V/A is the edge of a cube and three times the thickness of a plate
@@ -112,13 +153,15 @@ SceneBody read_body(Section const& root, Section const& section, GridBox const& 
                         fmt::format("choose it below {:.3g} m, or check scale", across / fewest_across));
   }
   mesh_surface(section, setup.cell, loaded);
-  setup.surface = std::move(loaded.surface);
+  body.whole = setup.surface = std::move(loaded.surface);
+  cut_at(section, body.cut, setup.cell, setup.surface);
   body.fingerprint = loaded.fingerprint, body.remarks = std::move(loaded.remarks);
-  set_extent(section, box, setup);
+  set_extent(section, box, body.cut, setup);
 
-  Vec3 const centre = mass_properties(setup.surface).centroid;
+  Vec3 const centre = mass_properties(body.whole).centroid;
   Vec3 const u = section.has("velocity") ? section.point("velocity", dimension::velocity, 3) : Vec3{0, 0, 0};
   Vec3 const spin = section.has("spin") ? section.point("spin", dimension::angular_velocity, 3) : Vec3{0, 0, 0};
+  check_symmetric(section, body.cut, u, spin);
   double const pressure = section.has("pressure") ? section.quantity("pressure", dimension::pressure) : point(centre).p;
   SolidPoint const rest = solid_at_rest(solid, pressure);
   if (!(rest.rho > 0 &&
@@ -135,17 +178,16 @@ SceneBody read_body(Section const& root, Section const& section, GridBox const& 
 }
 
 void check_apart(Section const& section, SceneBody const& a, SceneBody const& b, double least) {
-  TriangleSurface both = a.setup.surface;
+  TriangleSurface both = a.whole;
   int const shift = static_cast<int>(both.vertices.size());
-  both.vertices.insert(both.vertices.end(), b.setup.surface.vertices.begin(), b.setup.surface.vertices.end());
-  for (Triangle const& t : b.setup.surface.triangles)
-    both.triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
-  bool const overlap = !self_intersections(both, 1).empty() || within(a.setup.surface.vertices[0], b.setup.surface) ||
-                       within(b.setup.surface.vertices[0], a.setup.surface);
+  both.vertices.insert(both.vertices.end(), b.whole.vertices.begin(), b.whole.vertices.end());
+  for (Triangle const& t : b.whole.triangles) both.triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
+  bool const overlap = !self_intersections(both, 1).empty() || within(a.whole.vertices[0], b.whole) ||
+                       within(b.whole.vertices[0], a.whole);
   if (overlap) {
     throw section.error("center", fmt::format("makes '{}' overlap '{}'", b.name, a.name), "move one of the two");
   }
-  double const gap = gap_between(a.setup.surface, b.setup.surface, least);
+  double const gap = gap_between(a.whole, b.whole, least);
   if (gap < least) {
     throw section.error("center", fmt::format("leaves {:.3g} m between '{}' and '{}'", gap, a.name, b.name),
                         fmt::format("leave {:.3g} m, a cell of the gas, or take smaller cells", least));
@@ -154,8 +196,9 @@ void check_apart(Section const& section, SceneBody const& a, SceneBody const& b,
 
 }  // namespace
 
-std::vector<SceneBody> read_bodies(Section const& root, GridBox const& box,
+std::vector<SceneBody> read_bodies(Section const& root, GasGridSetup const& gas,
                                    std::function<GasPoint(Vec3 const&)> const& point) {
+  GridBox const box{gas.lower, gas.upper, gas.cells};
   std::vector<SceneBody> out;
   auto const sections = root.tables("body", body_keys);
   if (sections.empty()) {
@@ -177,7 +220,7 @@ std::vector<SceneBody> read_bodies(Section const& root, GridBox const& box,
     }
   }
   for (Section const& section : sections) {
-    SceneBody body = read_body(root, section, box, point, out);
+    SceneBody body = read_body(root, section, box, walls_of(gas), point, out);
     for (SceneBody const& other : out) check_apart(section, other, body, body_gap_cells * h);
     out.push_back(std::move(body));
   }

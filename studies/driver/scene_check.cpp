@@ -139,7 +139,7 @@ std::vector<BodyEstimate> body_estimates(SceneRun const& run) {
     auto const [least, most] = std::minmax_element(lengths.begin(), lengths.end());
     BodyEstimate e{.name = body.name, .lower = setup.lower, .upper = setup.upper, .from = box.lower, .to = box.upper};
     e.triangles = static_cast<double>(setup.surface.size());
-    e.volume = mass_properties(setup.surface).volume, e.mass = body.density * e.volume;
+    e.volume = enclosed(setup.surface, body.cut).volume, e.mass = body.density * e.volume;
     e.cells = e.volume / std::pow(setup.cell, 3), e.window = window_cells(body);
     e.shortest = *least / setup.cell, e.longest = *most / setup.cell;
     e.bytes = e.window * body_cell_bytes;

@@ -54,7 +54,7 @@ double distance_to_block(SolidBlock const& block, GridBox const& box, Vec3 const
 double distance_to_bodies(Section const& section, std::vector<SceneBody> const& bodies, Vec3 const& centre) {
   double nearest = 1e300;
   for (SceneBody const& body : bodies) {
-    TriangleSurface const& surface = body.setup.surface;
+    TriangleSurface const& surface = body.whole;
     bool const moves = std::any_of(surface.vertices.begin(), surface.vertices.end(), [&](Vec3 const& x) {
       return dot(body.setup.initial(x).u, body.setup.initial(x).u) > 0;
     });

@@ -157,7 +157,7 @@ std::vector<SceneRun> read_grid_runs(Section const& root, SceneRun run) {
   double const cfl = read_time(root, run);
   grid.initial = make_initial(regions.list, grid.setup.eos, dimensions);
   grid.point = make_point_initial(regions.list);
-  grid.bodies = read_bodies(root, box, grid.point);
+  grid.bodies = read_bodies(root, grid.setup, grid.point);
   grid.line = read_line_start(root, regions, grid, run.start, run.end);
   std::vector<std::string> names;
   for (SceneBody const& body : grid.bodies) names.push_back(body.name);
