@@ -4,8 +4,6 @@
 /// Where the eight cells around the point are valid, multilinear; else a weighted linear least-squares fit to the valid
 /// cells and the cloud within 1.6 cells. Density, pressure and stress stay within the donors' range, velocities may
 /// leave it by one range: bounds that a rotation meets would take its angular momentum.
-#include <cstring>
-
 #include "fsi/overset/fit_kernels.hpp"
 #include "fsi/overset/window.hpp"
 
@@ -35,7 +33,8 @@ class Donors {
     void add(Vec3 const& r, Fields const& q) {
       if (count_ == x_.size()) grow();
       x_[count_] = r[0], y_[count_] = r[1], z_[count_] = r[2];
-      std::memcpy(&q_[count_ * stride], q.data(), sizeof(Fields));
+      double* const row = &q_[count_ * stride];
+      for (std::size_t f = 0; f < q.size(); ++f) row[f] = q[f];
       ++count_;
     }
     /// Once all are there.
