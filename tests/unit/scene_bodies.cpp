@@ -288,7 +288,7 @@ TEST_CASE("a run with bodies is resumed bit by bit, and its files are complete",
   for (std::string const closure : {"false", "true"}) {
     INFO("closure " << closure);
     g27::Scene const scene =
-        read(folder, {"scheme.closure=" + closure, "time.end=" + std::string(closure == "true" ? "3 us" : "5 us")});
+        read(folder, {"scheme.closure=" + closure, "time.end=" + std::string(closure == "true" ? "3 us" : "4 us")});
     g27::RunRecord const whole = run_in_pieces(scene, folder.path / "a.h5", 0);
     g27::RunRecord const pieces = run_in_pieces(scene, folder.path / "b.h5", 5);
     CHECK(whole.counters().steps > 15);  // at least four pieces
