@@ -43,7 +43,8 @@ GridInitial make_initial(std::vector<GridRegion> regions, AnyEos const& eos, int
 /// The same at a point: the state of the topmost region there.
 std::function<GasPoint(Vec3 const&)> make_point_initial(std::vector<GridRegion> regions);
 
-/// [[body]]: placed, meshed, cut by sides that are planes of symmetry, and checked. `point`: the gas's state at the start.
+/// [[body]]: placed, meshed, cut by sides that are planes of symmetry, and checked. `point`: the gas's state at the
+/// start.
 std::vector<SceneBody> read_bodies(Section const& root, GasGridSetup const& gas,
                                    std::function<GasPoint(Vec3 const&)> const& point);
 /// Gas cells that a body keeps from the sides of the domain, and from other bodies.

@@ -139,7 +139,7 @@ Case detonation_grid_case(std::string const& name) {
       double const c = 1 / std::sqrt(3.0);
       double const axis = probe.front({0, 0, 0}, {1, 0, 0}, radius, 0.5 * d.front.state.p);
       double const diagonal = probe.front({0, 0, 0}, {c, c, c}, radius, 0.5 * d.front.state.p);
-      r.facts["front_diagonal_over_axis"] = diagonal / axis;
+      r.facts["front_diagonal_over_axis"] = axis > 0 ? diagonal / axis : 0;  // 0: too few cells for a front
       double const steradians = std::numbers::pi / 2;
       add_facts(d, done.ledger().energy.from_source / steradians,
                 probe.at({0.2 * radius * c, 0.2 * radius * c, 0.2 * radius * c}), axis, r);
