@@ -6,6 +6,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 
 #include "studies/driver/provenance.hpp"
 
@@ -82,11 +84,19 @@ bool draw(std::string const& name, std::vector<std::string> const& arguments) {
   // -B: no __pycache__ in the source tree
   std::vector<std::string> command{python, "-B", (figure_folder() / (name + ".py")).string()};
   command.insert(command.end(), arguments.begin(), arguments.end());
+  // written aside and renamed: an interrupted script leaves the old figure or none
+  std::filesystem::path const figure = arguments.back();
+  auto const aside = std::filesystem::path(figure).replace_filename(figure.stem().string() + ".part.png");
+  command.back() = aside.string();
   int const status = run_process(command);
-  if (status != 0) {
+  std::error_code error;
+  if (status == 0) {
+    std::filesystem::rename(aside, figure, error);
+  } else {
+    std::filesystem::remove(aside, error);
     fmt::print(stderr, "figure {}: the script failed with status {}\n", name, status);
   }
-  return status == 0;
+  return status == 0 && !error;
 }
 
 }  // namespace g27

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <cstdio>
+#include <string>
 
 #include "verification/exact/arguments.hpp"
 #include "verification/exact/jwl_card.hpp"
@@ -13,6 +14,16 @@ OracleRecord solve(OracleArguments const& arguments) {
     if (given(arguments, JwlCard::names[i])) known[i] = positive_number(arguments, JwlCard::names[i]);
   }
   double const tolerance = positive_number(arguments, "tolerance");
+  std::string missing;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    if (known[i]) ++count;
+    if (!known[i]) missing += std::string(missing.empty() ? "" : ", ") + JwlCard::names[i];
+  }
+  if (count < 7) {
+    throw OracleError{"card", std::to_string(count) + " of its ten numbers are given, it needs seven",
+                      std::to_string(7 - count) + " more of " + missing};
+  }
   CompletedJwlCard const done = complete(known);
   double worst = 0;
   for (JwlCardCheck const& check : done.checks) {
