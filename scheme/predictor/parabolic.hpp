@@ -223,13 +223,15 @@ struct ParabolicPredictor {
       bound = up;
       if (any(large || beyond)) {
         V const curvature = min(abs(B - A), abs(B - C));
-        // A contact that is carried obliquely is compressed by every direction: there it keeps the acoustic bounds.
-        Mask<V> const steep = !special && large && curvature > parabolic::compression * size_B && size_B > abs(A) &&
+        Mask<V> const steep = large && curvature > parabolic::compression * size_B && size_B > abs(A) &&
                               size_B > abs(C) && gate <= parabolic::compression_sound * c2 * size_B;
         V const e = parabolic::least_share * h_u, from = swept + e, to = max(h_u - swept, e);
         V const each = 1.0 / (from * to);
-        V const universal = min(min(2.0 * h_u * to * each, V(8.0)) * d, min(h_sum * from * each, V(8.0)) * size_B);
-        bound = select(beyond, select(special, min(4.0 * d, 2.0 * size_B), universal), bound);
+        // A contact that is carried obliquely is compressed by every direction: no further than the acoustic bounds.
+        V const universal =
+            select(special, min(4.0 * d, 2.0 * size_B),
+                   min(min(2.0 * h_u * to * each, V(8.0)) * d, min(h_sum * from * each, V(8.0)) * size_B));
+        bound = select(beyond, universal, bound);
         if (any(steep)) {
           V const share = min(one, curvature / max(parabolic::compression * size_B, V(1e-300)) - 1.0);
           up = select(steep, up + share * (max(universal, up) - up), up);

@@ -1,6 +1,7 @@
 /// What holds for every case in two and three dimensions: it runs, stays positive and conserves.
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <string>
 
 #include "tests/catch.hpp"
@@ -71,4 +72,23 @@ TEST_CASE("cells of a problem are cubic where the box allows", "[cases][grid]") 
   problem.dimensions = 2;
   CHECK(grid_cells(problem, 31) == Int3{31, 16, 1});
   CHECK(grid_cells(problem, 6) == Int3{6, 4, 1});
+}
+
+// The parabolic scheme compresses contacts within bounds that hold at any angle: with the bounds of one direction
+// oblique Shu-Osher waves overshoot by a third of the jump, without compression Sod's error is 0.85 of MUSCL-HLLC's.
+TEST_CASE("oblique contacts are compressed and make no new extremum", "[cases][grid]") {
+  auto const density = [](char const* name, int cells, Predictor predictor) {
+    CaseOptions options;
+    options.cells = cells, options.predictor = predictor;
+    options.riemann = predictor == Predictor::muscl ? RiemannSolver::hllc : RiemannSolver::fast;
+    for (Case const& c : all_cases()) {
+      if (c.name == name) return c.run(options);
+    }
+    throw std::runtime_error("no such case");
+  };
+  double const parabolic = density("sod-angle-45", 128, Predictor::parabolic).errors.at("density").l1;
+  double const muscl = density("sod-angle-45", 128, Predictor::muscl).errors.at("density").l1;
+  CHECK(parabolic < 0.82 * muscl);
+  CHECK(parabolic > 0.7 * muscl);
+  CHECK(density("shu-osher-angle-45", 200, Predictor::parabolic).overshoot.at("density") < 1e-3);
 }
