@@ -289,6 +289,9 @@ GasLine make_start_line(LineStart const& start, double time) {
 }
 
 bool line_phase_over(LineStart const& start, GasGridSetup const& grid, GasLine const& line, LinePhase& phase) {
+  if (line.time() < start.earliest) {
+    return false;
+  }
   double const front = disturbed_radius(line);
   // One step moves the wave's foot by a cell or two of the line, which are finer than those of the grid.
   bool const obstacle = front + 2 * widest(grid) >= start.clearance;

@@ -47,9 +47,10 @@ struct LineStart {
   GasLineSetup setup;
   std::vector<GasConserved<>> averages;
   Vec3 centre{0, 0, 0};
-  double until = 1e300;   ///< s
-  double radius = 1e300;  ///< m; the phase ends as soon as one of the two is reached
-  double clearance = 0;   ///< distance of the centre to the nearest obstacle: the phase ends before the wave gets there
+  double earliest = -1e300;  ///< s; the phase goes on until then: a mixture of unburnt explosive and air is no state
+  double until = 1e300;      ///< s
+  double radius = 1e300;     ///< m; the phase ends as soon as one of the two is reached
+  double clearance = 0;  ///< distance of the centre to the nearest obstacle: the phase ends before the wave gets there
 };
 
 /// A deforming body in the gas.

@@ -1,10 +1,12 @@
-/// [[charge]]: a charge detonated at its centre, started from the exact self-similar wave at breakout.
+/// [[charge]]: detonated at its centre, from the exact self-similar wave at breakout; or lit, by programmed burn.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <memory>
 
+#include "fsi/surface/vec3.hpp"
 #include "riemann/eos/factory.hpp"
 #include "studies/driver/scene_parts.hpp"
 #include "verification/exact/taylor_wave.hpp"
@@ -13,6 +15,16 @@ namespace g27 {
 namespace {
 
 constexpr Dimension energy_density{"energy per volume", "8.2 GJ/m3", dimension::pressure.exponents};
+
+constexpr double standard_pressure = 1e5;  ///< Pa, of the unburnt explosive, unless told
+
+std::vector<std::string> charge_keys(int dimensions, bool lit) {
+  std::vector<std::string> keys{"material", "radius", "density", "energy", "start"};
+  if (dimensions > 1) keys.push_back("center");
+  if (lit) keys.push_back("pressure");
+  if (lit && dimensions > 1) keys.push_back("ignition");
+  return keys;
+}
 
 /// The same law in the exact solutions' own formulas.
 ExactEos exact_law(AnyEos const& eos) {
@@ -28,37 +40,82 @@ ExactEos exact_law(AnyEos const& eos) {
   throw std::invalid_argument(fmt::format("products of detonation cannot be '{}'", name));
 }
 
-Charge read_charge(Section const& section, AnyEos const& eos, Symmetry symmetry, int dimensions) {
-  Charge charge{.radius = section.positive("radius", dimension::length), .state = {}, .section = section};
+/// Points where a charge is lit; its centre alone, unless told.
+std::vector<Vec3> read_ignition(Section const& section, Charge const& charge, int dimensions) {
+  if (!section.has("ignition")) {
+    return {charge.centre};
+  }
+  std::vector<Vec3> const points = section.points("ignition", dimension::length, dimensions);
+  for (Vec3 const& x : points) {
+    if (length(x - charge.centre) > charge.radius) {
+      throw section.error("ignition", fmt::format("({:g}, {:g}, {:g}) m lies outside the charge", x[0], x[1], x[2]),
+                          "choose points within the radius from the center");
+    }
+  }
+  return points;
+}
+
+/// The unburnt explosive at rest, and the burn that releases the rest of its energy [J/m^3] behind a front from every
+/// point of ignition, by Huygens.
+void light(Charge& charge, AnyEos const& eos, double density, double energy, double speed, std::vector<Vec3> points) {
+  Section const& section = charge.section;
+  double const pressure =
+      section.has("pressure") ? section.positive("pressure", dimension::pressure) : standard_pressure;
+  GasState<> const rest{density, 0, pressure};  // far below the products' cold curve, where no front has passed
+  double const thermal = density * std::visit([&](auto const& law) { return law.energy(density, pressure); }, eos);
+  if (!(energy > thermal)) {
+    throw section.error("energy", fmt::format("is not above the {:g} J/m3 of the unburnt explosive", thermal),
+                        "check density, energy and the equation of state");
+  }
+  charge.central = points.size() == 1 && points[0] == charge.centre;
+  charge.state = [rest](double) { return rest; };
+  charge.burn = {
+      .energy = (energy - thermal) / density,
+      .speed = speed,
+      .lighting = [=, points = std::move(points), centre = charge.centre, radius = charge.radius](Vec3 const& x) {
+        if (length(x - centre) > radius) return ProgrammedBurn::no_explosive;
+        double nearest = 1e300;
+        for (Vec3 const& from : points) nearest = std::min(nearest, length(x - from));
+        return nearest / speed;
+      }};
+}
+
+Charge read_charge(Section const& given, AnyEos const& eos, Symmetry symmetry, int dimensions) {
+  bool const lit = given.choice("start", {"breakout", "ignition"}, 0) == 1;
+  std::vector<std::string> keys = charge_keys(dimensions, lit);
+  Charge charge{.state = {}, .section = given.reopened(std::move(keys))};
+  Section const& section = charge.section;
+  charge.radius = section.positive("radius", dimension::length);
   if (dimensions > 1) {
     charge.centre = section.point("center", dimension::length, dimensions);
   }
   double const density = section.positive("density", dimension::density);
   double const energy = section.positive("energy", energy_density);
-  (void)section.choice("start", {"breakout"}, 0);
   try {
     auto const products = exact_law(eos);
     auto const front = chapman_jouguet(products, density, energy);
-    auto const wave = std::make_shared<TaylorWave>(products, front, static_cast<int>(symmetry));
-    charge.breakout = charge.radius / front.D;
-    charge.state = [wave, radius = charge.radius](double x) { return wave->at(std::fabs(x) / radius); };
+    if (lit) {
+      light(charge, eos, density, energy, front.D, read_ignition(section, charge, dimensions));
+    } else {
+      auto const wave = std::make_shared<TaylorWave>(products, front, static_cast<int>(symmetry));
+      charge.begin = charge.radius / front.D;
+      charge.state = [wave, radius = charge.radius](double x) { return wave->at(std::fabs(x) / radius); };
+      check_admissible(section, eos, charge.state(0));
+    }
+  } catch (InputError const&) {
+    throw;
   } catch (std::exception const& failure) {
     throw section.error("energy", fmt::format("no detonation wave follows from it: {}", failure.what()),
                         "check density, energy and the equation of state (jwl or ideal)");
   }
-  check_admissible(section, eos, charge.state(0));
   return charge;
 }
 
 }  // namespace
 
 std::vector<Charge> read_charges(Section const& root, AnyEos const& eos, Symmetry symmetry, int dimensions) {
-  std::vector<std::string> keys{"material", "radius", "density", "energy", "start"};
-  if (dimensions > 1) {
-    keys.push_back("center");
-  }
   std::vector<Charge> charges;
-  for (Section const& section : root.tables("charge", keys)) {
+  for (Section const& section : root.tables("charge", charge_keys(dimensions, true))) {
     if (!charges.empty()) {
       throw section.error("", "is a second charge", "a scene holds one: the others would detonate at their own times");
     }

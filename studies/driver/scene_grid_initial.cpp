@@ -110,10 +110,11 @@ GridRegion charge_region(Charge const& charge) {
                 double const over_r = r > 0 ? s.u / r : 0.0;
                 return GasPoint{s.rho, {over_r * from[0], over_r * from[1], over_r * from[2]}, s.p};
               },
-          .uniform = false,
+          .uniform = charge.burn.there(),
+          .whole_cells = charge.burn.there(),
           .centre = charge.centre,
           .radius = charge.radius,
-          .radial = charge.state,
+          .radial = charge.central ? charge.state : InitialState{},
           .section = charge.section};
 }
 
@@ -164,7 +165,7 @@ GridRegions read_regions(Section const& root, AnyEos const& eos, int dimensions)
   Symmetry const symmetry = dimensions == 3 ? Symmetry::spherical : Symmetry::cylindrical;
   for (Charge const& charge : read_charges(root, eos, symmetry, dimensions)) {
     out.list.push_back(charge_region(charge));
-    out.start = charge.breakout;
+    out.charge = charge;
   }
   return out;
 }
@@ -190,11 +191,11 @@ GridInitial make_initial(std::vector<GridRegion> regions, AnyEos const& eos, int
     std::size_t base = regions.size() - 1;
     bool mixed = false;
     for (;; --base) {
-      double const distance = regions[base].distance(centre);
-      if (distance <= -reach || base == 0) {
+      double const distance = regions[base].distance(centre), margin = regions[base].whole_cells ? 0 : reach;
+      if (distance <= -margin || base == 0) {
         break;
       }
-      mixed = mixed || distance < reach;
+      mixed = mixed || distance < margin;
     }
     if (!mixed && regions[base].uniform) {
       return densities(eos, regions[base].state(centre));
@@ -209,7 +210,7 @@ GridInitial make_initial(std::vector<GridRegion> regions, AnyEos const& eos, int
                        centre[1] + half[1] * ((2 * j + 1.0) / points - 1),
                        centre[2] + half[2] * ((2 * k + 1.0) / planes - 1)};
           std::size_t top = regions.size() - 1;
-          while (top > base && regions[top].distance(x) > 0) {
+          while (top > base && regions[top].distance(regions[top].whole_cells ? centre : x) > 0) {
             --top;
           }
           lowest = std::min(lowest, top), highest = std::max(highest, top);

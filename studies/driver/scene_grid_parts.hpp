@@ -25,6 +25,7 @@ struct GridRegion {
   std::function<double(Vec3 const&)> distance{};  ///< to its surface, no more than the true one; < 0 inside
   std::function<GasPoint(Vec3 const&)> state{};   ///< inside
   bool uniform = true;                            ///< the state is the same everywhere
+  bool whole_cells = false;                       ///< a cell is of it wholly or not at all, by its centre
   Vec3 centre{0, 0, 0};                           ///< of a sphere
   double radius = 0;
   InitialState radial{};  ///< of a sphere: the state over the distance to its centre
@@ -32,7 +33,7 @@ struct GridRegion {
 };
 struct GridRegions {
   std::vector<GridRegion> list;  ///< the first is the ambient; later ones lie over earlier ones
-  std::optional<double> start;   ///< s, where a charge fixes it
+  std::optional<Charge> charge;
 };
 /// [ambient], [[region]] and [[charge]].
 GridRegions read_regions(Section const& root, AnyEos const& eos, int dimensions);

@@ -25,7 +25,8 @@ Vec3 common_centre(Section const& section, std::vector<GridRegion> const& region
   }
   for (GridRegion const& region : regions) {
     if (!region.radial) {
-      throw refuse(region.section.path() + (region.kind == "sphere" || region.kind == "ambient"
+      throw refuse(region.section.path() + (region.kind == "charge" ? " is not lit at its center alone"
+                                            : region.kind == "sphere" || region.kind == "ambient"
                                                 ? " moves"
                                                 : fmt::format(" is a {}", region.kind)));
     }
@@ -144,6 +145,7 @@ std::optional<LineStart> read_line_start(Section const& root, GridRegions const&
   out.centre = common_centre(section, regions.list);
   out.clearance =
       std::min(clearance(section, grid.setup, box, out.centre), distance_to_bodies(section, grid.bodies, out.centre));
+  bool const lit = regions.charge && regions.charge->burn.there();
   double largest = 0;
   for (GridRegion const& region : regions.list) {
     largest = std::max(largest, region.radius);
@@ -182,7 +184,8 @@ std::optional<LineStart> read_line_start(Section const& root, GridRegions const&
     farthest += reach * reach;
   }
   double const length = std::sqrt(farthest);
-  double const width = section.has("cell") ? section.positive("cell", dimension::length) : finest / finest_over_grid;
+  double width = section.has("cell") ? section.positive("cell", dimension::length) : finest / finest_over_grid;
+  if (lit) width = regions.charge->radius / std::ceil(regions.charge->radius / width * (1 - 1e-9));  // ends at a face
   double const count = std::ceil(length / width);
   if (!(count >= 8 && count <= 1e6)) {
     throw section.error("cell", fmt::format("makes {} cells on the line", count), "choose it for 8 to 1000000 cells");
@@ -190,9 +193,20 @@ std::optional<LineStart> read_line_start(Section const& root, GridRegions const&
   out.setup.eos = grid.setup.eos;
   out.setup.symmetry = dimensions_of(box) == 3 ? Symmetry::spherical : Symmetry::cylindrical;
   for (double i = 0; i <= count; ++i) {
-    out.setup.faces.push_back(length * i / count);
+    out.setup.faces.push_back(lit ? width * i : length * i / count);
   }
   out.setup.left.kind = GasBoundary::Kind::wall;
+  if (lit) {
+    out.setup.burn = regions.charge->burn;
+    out.earliest = (regions.charge->radius + width) / out.setup.burn.speed;
+    if (out.until < out.earliest) {
+      throw section.error("one_dimensional_until", fmt::format("{} s is before the charge has burnt", out.until),
+                          fmt::format("choose it from {} s", out.earliest));
+    }
+    out.setup.burn.lighting = [lighting = out.setup.burn.lighting, centre = out.centre](Vec3 const& x) {
+      return lighting({centre[0] + x[0], centre[1], centre[2]});
+    };
+  }
   out.averages = line_averages(out.setup, regions.list);
   return out;
 }

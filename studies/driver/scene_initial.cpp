@@ -204,7 +204,7 @@ InitialData read_initial(Section const& root, AnyEos const& eos, Symmetry symmet
   InitialData data;
   for (Charge const& charge : read_charges(root, eos, symmetry)) {
     pieces.push_back({0.0, charge.radius, charge.state, charge.section});
-    data.start = charge.breakout;
+    data.charge = charge;
   }
   data.state = assemble(std::move(pieces), ambient, root, left, right);
   return data;

@@ -25,22 +25,24 @@ MeshMotion read_motion(Section const& domain, double left, double right);
 /// [domain] boundary.left or .right.
 GasBoundary read_boundary(Section const& domain, std::string const& side, AnyEos const& eos);
 
-struct InitialData {
-  InitialState state;
-  std::optional<double> start;  ///< s, where the data fix it (time since ignition)
-};
-/// [ambient], [[region]], [[charge]] and [initial] over the faces' extent.
-InitialData read_initial(Section const& root, AnyEos const& eos, Symmetry symmetry, double left, double right);
-
-/// A charge whose detonation wave reaches its surface at `breakout` after ignition at the centre.
+/// A charge: burnt, as the detonation wave from its centre reaches its surface, or unburnt at time 0, when it is lit.
 struct Charge {
-  double radius = 0, breakout = 0;  ///< m, s
-  Vec3 centre{0, 0, 0};             ///< m; on a grid
-  InitialState state;               ///< exact self-similar wave at breakout, over the distance to the centre
+  double radius = 0, begin = 0;  ///< m, s since ignition
+  Vec3 centre{0, 0, 0};          ///< m; on a grid
+  InitialState state;            ///< at `begin`, over the distance to the centre
+  ProgrammedBurn burn{};         ///< of an unburnt one
+  bool central = true;           ///< lit at its centre alone
   Section section;
 };
 /// `dimensions` of the mesh: on a grid of 2 or 3 a charge has a `center`.
 std::vector<Charge> read_charges(Section const& root, AnyEos const& eos, Symmetry symmetry, int dimensions = 1);
+
+struct InitialData {
+  InitialState state;
+  std::optional<Charge> charge;
+};
+/// [ambient], [[region]], [[charge]] and [initial] over the faces' extent.
+InitialData read_initial(Section const& root, AnyEos const& eos, Symmetry symmetry, double left, double right);
 
 /// [scheme]: one set of options a scheme asked for.
 std::vector<GasSchemeOptions> read_schemes(Section const& root, double cfl);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "studies/driver/nearest_key.hpp"
 #include "studies/driver/provenance.hpp"
@@ -103,6 +104,18 @@ void name_run(SceneRun& run, Predictor predictor) {
   run.name = slug(run.variant) + "-" + run.scheme;
 }
 
+/// An unburnt charge ends at a face: at a density between its own and the air's its energy belongs to no state.
+void take_charge(Charge const& charge, SceneRun& run) {
+  run.start = charge.begin, run.setup.burn = charge.burn;
+  auto const& faces = run.setup.faces;
+  bool const ends = std::any_of(faces.begin(), faces.end(),
+                                [&](double x) { return std::fabs(x - charge.radius) <= 1e-9 * charge.radius; });
+  if (charge.burn.there() && !ends) {
+    throw charge.section.error("radius", fmt::format("{} m is no face of the mesh, as ignition needs", charge.radius),
+                               "choose domain.cell so that the radius is a whole number of cells");
+  }
+}
+
 /// One dimension.
 std::vector<SceneRun> read_line_runs(Section const& root, SceneRun run) {
   for (char const* key : {"block", "start", "body"}) {
@@ -124,8 +137,8 @@ std::vector<SceneRun> read_line_runs(Section const& root, SceneRun run) {
 
   InitialData const data = read_initial(root, run.setup.eos, run.setup.symmetry, left, right);
   run.initial = data.state;
-  run.start = data.start.value_or(0);
-  if (run.start > 0 && run.setup.motion.kind != MeshMotion::Kind::fixed) {
+  if (data.charge) take_charge(*data.charge, run);
+  if (data.charge && run.setup.motion.kind != MeshMotion::Kind::fixed) {
     throw domain.error("motion", "is not possible with a charge", "remove it: charges use a fixed mesh");
   }
   double const cfl = read_time(root, run);
@@ -153,7 +166,9 @@ std::vector<SceneRun> read_grid_runs(Section const& root, SceneRun run) {
   grid.setup.blocks = read_blocks(root, box);
   GridRegions const regions = read_regions(root, grid.setup.eos, dimensions);
   check_regions(regions, box);
-  run.start = regions.start.value_or(0);
+  if (regions.charge) {
+    run.start = regions.charge->begin, grid.setup.burn = regions.charge->burn;
+  }
   double const cfl = read_time(root, run);
   grid.initial = make_initial(regions.list, grid.setup.eos, dimensions);
   grid.point = make_point_initial(regions.list);

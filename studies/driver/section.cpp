@@ -196,13 +196,28 @@ std::vector<double> Section::quantities_of(Node const& node, std::string const& 
   return out;
 }
 
-std::array<double, 3> Section::point(std::string const& key, Dimension const& dimension, int dimensions) const {
-  auto const values = quantities(key, dimension);
+std::array<double, 3> Section::point_of(Node const& node, std::string const& key, Dimension const& dimension,
+                                        int dimensions) const {
+  auto const values = quantities_of(node, key, dimension);
   if (static_cast<int>(values.size()) != dimensions) {
-    throw error(key, fmt::format("has {} entries", values.size()), fmt::format("give {}, one an axis", dimensions));
+    throw error_at(node, full(key), fmt::format("has {} entries", values.size()),
+                   fmt::format("give {}, one an axis", dimensions));
   }
   std::array<double, 3> out{0, 0, 0};
   std::copy(values.begin(), values.end(), out.begin());
+  return out;
+}
+
+std::array<double, 3> Section::point(std::string const& key, Dimension const& dimension, int dimensions) const {
+  return point_of(need(key, fmt::format("[\"{0}\", ...]", dimension.example)), key, dimension, dimensions);
+}
+
+std::vector<std::array<double, 3>> Section::points(std::string const& key, Dimension const& dimension,
+                                                   int dimensions) const {
+  std::vector<std::array<double, 3>> out;
+  for (auto const& [name, node] : entries(key, fmt::format("[[\"{0}\", ...], ...]", dimension.example), "points")) {
+    out.push_back(point_of(*node, name, dimension, dimensions));
+  }
   return out;
 }
 
@@ -222,15 +237,24 @@ std::array<double, 2> Section::interval(std::string const& key, Dimension const&
 }
 
 std::vector<std::array<double, 2>> Section::intervals(std::string const& key, Dimension const& dimension) const {
+  std::vector<std::array<double, 2>> out;
   auto const example = fmt::format("[[\"0 m\", \"{0}\"], [\"0 m\", \"{0}\"]]", dimension.example);
+  for (auto const& [name, node] : entries(key, example, "intervals")) {
+    out.push_back(interval_of(*node, name, dimension));
+  }
+  return out;
+}
+
+std::vector<std::pair<std::string, Node const*>> Section::entries(std::string const& key, std::string const& example,
+                                                                  std::string const& what) const {
   Node const& node = need(key, example);
   auto const* list = std::get_if<Node::Array>(&node.value);
   if (list == nullptr) {
-    throw error(key, fmt::format("is {}, not a list of intervals", node.type_name()), "write " + example);
+    throw error(key, fmt::format("is {}, not a list of {}", node.type_name(), what), "write " + example);
   }
-  std::vector<std::array<double, 2>> out;
+  std::vector<std::pair<std::string, Node const*>> out;
   for (std::size_t i = 0; i < list->size(); ++i) {
-    out.push_back(interval_of((*list)[i], fmt::format("{}.{}", key, i), dimension));
+    out.emplace_back(fmt::format("{}.{}", key, i), &(*list)[i]);
   }
   return out;
 }

@@ -3,6 +3,7 @@
 /// and remedy when it throws InputError. Unknown keys are found when the section is opened.
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "studies/driver/document.hpp"
@@ -44,6 +45,9 @@ class Section {
   [[nodiscard]] std::vector<double> quantities(std::string const& key, Dimension const& dimension) const;
   /// As many entries as the mesh has dimensions, the others 0.
   [[nodiscard]] std::array<double, 3> point(std::string const& key, Dimension const& dimension, int dimensions) const;
+  /// Points [[x, y, z], ...], as many entries as the mesh has dimensions, the others 0.
+  [[nodiscard]] std::vector<std::array<double, 3>> points(std::string const& key, Dimension const& dimension,
+                                                          int dimensions) const;
   /// Intervals [[a, b], ...], one an axis.
   [[nodiscard]] std::vector<std::array<double, 2>> intervals(std::string const& key, Dimension const& dimension) const;
   /// The interval [a, b], a < b.
@@ -56,6 +60,8 @@ class Section {
   [[nodiscard]] double quantity_of(Node const& node, std::string const& key, Dimension const& dimension) const;
   [[nodiscard]] std::vector<double> quantities_of(Node const& node, std::string const& key,
                                                   Dimension const& dimension) const;
+  [[nodiscard]] std::array<double, 3> point_of(Node const& node, std::string const& key, Dimension const& dimension,
+                                               int dimensions) const;
   [[nodiscard]] std::array<double, 2> interval_of(Node const& node, std::string const& key,
                                                   Dimension const& dimension) const;
   /// The same table opened with other keys: once its `type` is known.
@@ -68,6 +74,10 @@ class Section {
   [[nodiscard]] Reading& reading() const noexcept { return *reading_; }
 
  private:
+  /// The elements of a list of `what`, with their names for messages.
+  [[nodiscard]] std::vector<std::pair<std::string, Node const*>> entries(std::string const& key,
+                                                                         std::string const& example,
+                                                                         std::string const& what) const;
   [[nodiscard]] std::string full(std::string const& key) const { return path_.empty() ? key : path_ + "." + key; }
   [[nodiscard]] InputError error_at(Node const& node, std::string const& key, std::string const& what,
                                     std::string const& remedy) const;
