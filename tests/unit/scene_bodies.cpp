@@ -9,13 +9,10 @@
 
 #include "fsi/surface/shapes.hpp"
 #include "fsi/surface/stl_file.hpp"
-#include "studies/driver/grid_output.hpp"
 #include "studies/driver/input_error.hpp"
-#include "studies/driver/output.hpp"
 #include "studies/driver/scene_check.hpp"
 #include "studies/driver/scene_reader.hpp"
-#include "studies/driver/simulate.hpp"
-#include "tests/catch.hpp"
+#include "tests/run_in_pieces.hpp"
 
 namespace fs = std::filesystem;
 
@@ -170,26 +167,6 @@ std::vector<Mistake> const mistakes{
     {"[output]", "[start]\none_dimensional_until = \"1 us\"\n[output]", "start", "symmetric about one centre", "remove [start]"},
 };
 // clang-format on
-
-/// Runs to the end, stopping after every `steps` steps (0: never) to go through the file.
-g27::RunRecord run_in_pieces(g27::Scene const& scene, fs::path const& file, int steps) {
-  g27::SceneRun const& run = scene.runs.at(0);
-  g27::RunRecord record(run);
-  for (int pieces = 0; !record.complete; ++pieces) {
-    REQUIRE(pieces < 1000);
-    int left = steps;
-    g27::RunHooks const hooks{
-        .progress = [](double) {},
-        .checkpoint = [](g27::RunRecord const&) {},
-        .checkpoint_s = 1e9,
-        .snapshot = [&](std::size_t i, g27::GridSnapshot const& s) { g27::write_grid_state(file, run, i, s); },
-        .interrupted = [&] { return steps > 0 && --left <= 0; }};
-    g27::simulate(run, record, hooks);
-    g27::write_run(file, scene, run, record, 1);
-    record = g27::read_run(file, scene, run);
-  }
-  return record;
-}
 
 /// Every data set of two groups is the same, NaN like NaN.
 void check_same(g27::Hdf5Reader const& a, g27::Hdf5Reader const& b, std::string const& group) {
