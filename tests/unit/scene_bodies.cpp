@@ -264,8 +264,9 @@ TEST_CASE("a run with bodies is resumed bit by bit, and its files are complete",
   Folder const folder;
   for (std::string const closure : {"false", "true"}) {
     INFO("closure " << closure);
-    g27::Scene const scene =
-        read(folder, {"scheme.closure=" + closure, "time.end=" + std::string(closure == "true" ? "3 us" : "4 us")});
+    g27::Scene const scene = read(
+        folder,
+        {"scheme.closure=" + closure, "time.end=" + std::string(closure == "true" ? "3 us" : "4 us"), "expect=[]"});
     g27::RunRecord const whole = run_in_pieces(scene, folder.path / "a.h5", 0);
     g27::RunRecord const pieces = run_in_pieces(scene, folder.path / "b.h5", 5);
     CHECK(whole.counters().steps > 15);  // at least four pieces
@@ -304,6 +305,15 @@ TEST_CASE("a run with bodies is resumed bit by bit, and its files are complete",
     CHECK(a.number_attribute("/ledger/body/cube/momentum_x", "through_contact") == impulse);
     CHECK(a.number_attribute("/ledger/momentum_x", "through_contact") == -impulse);
   }
+}
+
+TEST_CASE("a probe in a body is remarked on", "[scene]") {
+  Folder const folder;
+  auto const remarks = [&](std::vector<std::string> const& set) { return g27::remarks_on(read(folder, set)); };
+  auto const before = remarks({});
+  auto const after = remarks({"output.probe.0.position=[\"1.6 cm\", \"1.6 cm\", \"1.6 cm\"]"});
+  REQUIRE(after.size() == before.size() + 1);
+  CHECK(after.back().find("'gas' lies in the body 'cube'") != std::string::npos);
 }
 
 TEST_CASE("every data set that the XDMF of a run with bodies names is there", "[grid-run]") {
