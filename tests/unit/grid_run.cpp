@@ -123,10 +123,24 @@ TEST_CASE("resuming on a grid changes no bit", "[grid-run]") {
   }
 }
 
+TEST_CASE("a damaged state is found before a run goes on", "[grid-run]") {
+  Folder const folder;
+  g27::Scene const scene = read(folder, {"time.end=0.06 s", "output.snapshots=[\"0.05 s\"]"});
+  fs::path const file = folder.path / "a.h5", state = folder.path / "a.state/0001.h5";
+  (void)run_in_pieces(scene, file, 0);
+  CHECK_NOTHROW(g27::check_resumable(file, scene, scene.runs[0]));
+  fs::resize_file(state, fs::file_size(state) - 1);
+  CHECK_THROWS_AS(g27::check_resumable(file, scene, scene.runs[0]), g27::OutputError);
+  fs::copy_file(folder.path / "a.state/0002.h5", state, fs::copy_options::overwrite_existing);
+  CHECK_THROWS_AS(g27::check_resumable(file, scene, scene.runs[0]), g27::OutputError);
+}
+
 TEST_CASE("skipping uniform tiles changes no bit", "[grid-run]") {
   Folder const folder;
-  g27::RunRecord const on = run_in_pieces(read(folder, {"time.end=0.1 s"}), folder.path / "a.h5", 0);
-  g27::RunRecord const off = run_in_pieces(read(folder, {"time.end=0.1 s", "skip=off"}), folder.path / "b.h5", 0);
+  std::vector<std::string> set{"time.end=0.1 s", "output.snapshots=[\"0.05 s\"]"};
+  g27::RunRecord const on = run_in_pieces(read(folder, set), folder.path / "a.h5", 0);
+  set.emplace_back("skip=off");
+  g27::RunRecord const off = run_in_pieces(read(folder, set), folder.path / "b.h5", 0);
   check_same_files(folder.path / "a.h5", folder.path / "b.h5", {"active_share", "stored_share"});
   CHECK(off.grid->restart.counters.cells_skipped == 0);
   g27::Saved const saved = g27::saved_by(*on.grid);
