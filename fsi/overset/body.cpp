@@ -5,6 +5,12 @@
 
 namespace g27 {
 
+namespace {
+
+constexpr int margin = 4;  ///< cells of a window beyond the box that the body stays in
+
+}  // namespace
+
 Mirrors walls_of(GasGridSetup const& gas) {
   Mirrors m{.lower = gas.lower, .upper = gas.upper};
   auto const wall = [&](std::size_t side) {
@@ -17,11 +23,6 @@ Mirrors walls_of(GasGridSetup const& gas) {
   return m;
 }
 
-namespace {
-
-constexpr int margin = 4;  ///< cells of a window beyond the box that the body stays in
-
-/// The box that a body stays in ends at the planes that cut it.
 BodySetup bounded(BodySetup s, Mirrors const& cut) {
   for (std::size_t a = 0; a < 3; ++a) {
     if (cut.low[a]) s.lower[a] = cut.lower[a];
@@ -29,8 +30,6 @@ BodySetup bounded(BodySetup s, Mirrors const& cut) {
   }
   return s;
 }
-
-}  // namespace
 
 WindowBox solid_window(BodySetup const& s, Mirrors const& cut) {
   WindowBox box{.lower = {}, .h = s.cell, .grid = {}, .first = {0, 0, 0}, .size = {}, .mirrors = cut};

@@ -21,6 +21,9 @@ struct BodySetup {
 /// Sides of the domain that are walls all over: they may cut bodies.
 Mirrors walls_of(GasGridSetup const& gas);
 
+/// The box that a body stays in ends at the planes that cut it.
+BodySetup bounded(BodySetup setup, Mirrors const& cut);
+
 /// The cells of its grid: the box and a margin; beyond planes that cut the body images.
 WindowBox solid_window(BodySetup const& setup, Mirrors const& cut = {});
 

@@ -2,6 +2,7 @@
 
 #include "fsi/overset/body_integrals.hpp"
 #include "fsi/overset/cut_cells.hpp"
+#include "scheme/grid/cell_place.hpp"
 
 namespace g27 {
 
@@ -19,12 +20,7 @@ struct NearCell {
 /// cells add up to the polyhedra's volume.
 std::vector<NearCell> near_cells(OversetSolver const& solver, int rays) {
   Int3 const n = solver.gas().cells();
-  auto const place = [&](Int3 const& c) {
-    return static_cast<std::size_t>(c[0]) +
-           static_cast<std::size_t>(n[0]) *
-               (static_cast<std::size_t>(c[1]) + static_cast<std::size_t>(n[1]) * static_cast<std::size_t>(c[2]));
-  };
-  std::vector<bool> seen(solver.bodies().size() > 1 ? place({0, 0, n[2]}) : 0);
+  std::vector<bool> seen(solver.bodies().size() > 1 ? cells_in(n) : 0);
   std::vector<NearCell> out;
   std::vector<Vec3> moments;
   double whole = 0, cut = 0, volume = 0;
@@ -36,8 +32,9 @@ std::vector<NearCell> near_cells(OversetSolver const& solver, int rays) {
       if (kinds.is_image(i)) continue;
       Int3 const cell = kinds.in_grid(kinds.cell(i));
       if (!seen.empty()) {
-        if (seen[place(cell)]) continue;
-        seen[place(cell)] = true;
+        std::size_t const at = cell_number(n, cell);
+        if (seen[at]) continue;
+        seen[at] = true;
       }
       bool const is_cut = kinds.kind(i) == CellKind::cut;
       double const inside = is_cut ? parts[i].share : kinds.valid(i) ? 0.0 : 1.0;
@@ -60,12 +57,8 @@ std::vector<NearCell> near_cells(OversetSolver const& solver, int rays) {
 
 std::vector<double> gas_share(OversetSolver const& solver, int rays) {
   Int3 const n = solver.gas().cells();
-  auto const size = [&](std::size_t a) { return static_cast<std::size_t>(n[a]); };
-  std::vector<double> out(size(0) * size(1) * size(2), 1.0);
-  for (NearCell const& c : near_cells(solver, rays)) {
-    out[static_cast<std::size_t>(c.cell[0]) +
-        size(0) * (static_cast<std::size_t>(c.cell[1]) + size(1) * static_cast<std::size_t>(c.cell[2]))] = c.share;
-  }
+  std::vector<double> out(cells_in(n), 1.0);
+  for (NearCell const& c : near_cells(solver, rays)) out[cell_number(n, c.cell)] = c.share;
   return out;
 }
 
@@ -79,12 +72,7 @@ GasIntegrals gas_integrals(OversetSolver const& solver, int rays) {
     Vec3 const momentum = v * q.momentum;
     out.momentum = out.momentum + momentum, out.angular = out.angular + cross(x, momentum);
   };
-  Int3 const n = gas.cells();
-  for (int k = 0; k < n[2]; ++k) {
-    for (int j = 0; j < n[1]; ++j) {
-      for (int i = 0; i < n[0]; ++i) add(volume, gas.centre({i, j, k}), gas.average({i, j, k}));
-    }
-  }
+  for_each_cell(gas.cells(), [&](Int3 const& cell) { add(volume, gas.centre(cell), gas.average(cell)); });
   for (NearCell const& c : near_cells(solver, rays)) {
     if (c.share == 1) continue;
     add(-volume, gas.centre(c.cell), gas.average(c.cell));

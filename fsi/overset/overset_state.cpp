@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "scheme/grid/cell_place.hpp"
+
 namespace g27 {
 
 namespace {
@@ -43,23 +45,6 @@ std::vector<std::array<double, N>> unpacked(std::vector<double> const& from) {
   return out;
 }
 
-/// Calls f with every cell of a grid, x fastest.
-template <class F>
-void for_each_cell(Int3 const& n, F const& f) {
-  std::size_t at = 0;
-  for (int k = 0; k < n[2]; ++k) {
-    for (int j = 0; j < n[1]; ++j) {
-      for (int i = 0; i < n[0]; ++i, ++at) f(Int3{i, j, k}, at);
-    }
-  }
-}
-
-std::size_t place(Int3 const& n, Int3 const& c) {
-  auto const size = [&](std::size_t a) { return static_cast<std::size_t>(n[a]); };
-  return static_cast<std::size_t>(c[0]) +
-         size(0) * (static_cast<std::size_t>(c[1]) + size(1) * static_cast<std::size_t>(c[2]));
-}
-
 constexpr std::size_t solid_densities = 12;
 
 /// Calls f with every member of a triangle's state that its corners do not give.
@@ -89,7 +74,7 @@ std::string name_of(std::size_t body, char const* what) { return "body/" + std::
 
 void save_gas(GasGrid const& gas, OversetState& out) {
   std::array<std::vector<double>, 5> fields;
-  for_each_cell(gas.cells(), [&](Int3 const& c, std::size_t) {
+  for_each_cell(gas.cells(), [&](Int3 const& c) {
     GasDensities const q = gas.average(c);
     fields[0].push_back(q.mass), fields[4].push_back(q.energy);
     for (std::size_t d = 0; d < 3; ++d) fields[1 + d].push_back(q.momentum[d]);
@@ -106,7 +91,7 @@ void restore_gas(OversetState const& from, GasGrid& gas) {
   Int3 const n = gas.cells();
   gas.set_cells(
       [&](Int3 const& c) -> GasDensities {
-        std::size_t const i = place(n, c);
+        std::size_t const i = cell_number(n, c);
         return {mass.at(i), {x.at(i), y.at(i), z.at(i)}, energy.at(i)};
       },
       memory.at(0));
@@ -124,7 +109,7 @@ void save_body(Body const& body, BodyMomentum const& held, std::size_t n, Overse
   for (TriangleState const& t : body.triangles) for_each_member(t, [&](auto const& x) { put(states, x); });
   array("gas_states") = packed(body.gas.states), array("solid_states") = packed(body.solid.states);
   auto& averages = array("averages");
-  for_each_cell(body.grid.cells(), [&](Int3 const& c, std::size_t) {
+  for_each_cell(body.grid.cells(), [&](Int3 const& c) {
     SolidDensities const q = body.grid.average(c);
     put(averages, q.mass), put(averages, q.momentum), put(averages, q.energy);
     put(averages, q.rho_S), put(averages, q.rho_ep);
@@ -165,7 +150,7 @@ BodyMomentum restore_body(OversetState const& from, std::size_t n, Body& body) {
   Int3 const cells = body.grid.cells();
   body.grid.set_cells(
       [&](Int3 const& c) {
-        auto const& a = averages.at(place(cells, c));
+        auto const& a = averages.at(cell_number(cells, c));
         SolidDensities q{.mass = a[0], .momentum = {a[1], a[2], a[3]}, .energy = a[4], .rho_S = {}, .rho_ep = a[11]};
         std::copy_n(a.begin() + 5, 6, q.rho_S.begin());
         return q;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scheme/grid/cell_place.hpp"
+
 namespace g27 {
 
 bool crosses_line(std::array<Vec3, 3> const& t, double y, double z, double& x) noexcept {
@@ -45,8 +47,7 @@ bool touches_cube(std::array<Vec3, 3> const& triangle, Vec3 const& centre, doubl
 }
 
 CellKinds::CellKinds(WindowBox const& box, bool inside) : box_(box), inside_(inside) {
-  std::size_t const n = static_cast<std::size_t>(box.size[0]) * static_cast<std::size_t>(box.size[1]) *
-                        static_cast<std::size_t>(box.size[2]);
+  std::size_t const n = cells_in(box.size);
   kinds_.assign(n, CellKind::foreign), before_ = kinds_, fringe_.assign(n, 0);
   columns_.resize(static_cast<std::size_t>(box.size[1]) * static_cast<std::size_t>(box.size[2]));
   is_image_.assign(n, 0);

@@ -11,6 +11,27 @@ inline std::ptrdiff_t padded_row(int cells) noexcept {
   return (cells + vector_cells - 1) / vector_cells * vector_cells;
 }
 
+inline std::size_t cells_in(Int3 const& cells) noexcept {
+  return static_cast<std::size_t>(cells[0]) * static_cast<std::size_t>(cells[1]) * static_cast<std::size_t>(cells[2]);
+}
+
+/// Number of a cell in an array over a box, x fastest.
+inline std::size_t cell_number(Int3 const& cells, Int3 const& cell) noexcept {
+  return static_cast<std::size_t>(cell[0]) +
+         static_cast<std::size_t>(cells[0]) * (static_cast<std::size_t>(cell[1]) +
+                                               static_cast<std::size_t>(cells[1]) * static_cast<std::size_t>(cell[2]));
+}
+
+/// Calls f(Int3) with every cell of a box, x fastest.
+template <class F>
+void for_each_cell(Int3 const& cells, F const& f) {
+  for (int k = 0; k < cells[2]; ++k) {
+    for (int j = 0; j < cells[1]; ++j) {
+      for (int i = 0; i < cells[0]; ++i) f(Int3{i, j, k});
+    }
+  }
+}
+
 /// Axes with more than one cell; the others are not swept.
 inline std::array<bool, 3> swept_axes(Int3 const& cells) noexcept { return {cells[0] > 1, cells[1] > 1, cells[2] > 1}; }
 

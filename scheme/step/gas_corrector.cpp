@@ -99,10 +99,14 @@ bool GasLine::Impl::bad(std::ptrdiff_t i, double share) const noexcept {
          !std::isfinite(next.momentum[i]);
 }
 
+GasLine::Impl::FaceRun GasLine::Impl::at_first_order(FaceRun run) noexcept {
+  run.predictor = PredictorKernel::godunov, run.increments = false, run.linear_star = false;
+  return run;
+}
+
 void GasLine::Impl::repair(FaceRun const& run, double dt) {
   std::fill(redone.begin(), redone.end(), 0);
-  FaceRun first = run;
-  first.predictor = PredictorKernel::godunov, first.increments = false, first.linear_star = false;
+  FaceRun const first = at_first_order(run);
   GasFaces one(16);
   GasCells cell(16);
   bool const periodic = setup.left.kind == GasBoundary::Kind::periodic;

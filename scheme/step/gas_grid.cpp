@@ -399,16 +399,12 @@ GasPoint GasGrid::primitive(Int3 const& cell) const noexcept {
 
 std::vector<double> GasGrid::field(Field which) const {
   Int3 const n = cells();
-  std::vector<double> out(static_cast<std::size_t>(n[0]) * static_cast<std::size_t>(n[1]) *
-                          static_cast<std::size_t>(n[2]));
+  std::vector<double> out(cells_in(n));
   for (GasTile const& t : impl_->tiles) {
     for (int k = 0; k < t.box.size[2]; ++k) {
       for (int j = 0; j < t.box.size[1]; ++j) {
         for (int i = 0; i < t.box.size[0]; ++i) {
-          std::size_t const to = static_cast<std::size_t>(t.box.first[0] + i) +
-                                 static_cast<std::size_t>(n[0]) *
-                                     (static_cast<std::size_t>(t.box.first[1] + j) +
-                                      static_cast<std::size_t>(n[1]) * static_cast<std::size_t>(t.box.first[2] + k));
+          std::size_t const to = cell_number(n, {t.box.first[0] + i, t.box.first[1] + j, t.box.first[2] + k});
           if (which >= Field::switched) {
             std::size_t const map = static_cast<std::size_t>(which) - static_cast<std::size_t>(Field::switched);
             std::size_t const at = static_cast<std::size_t>(i + t.box.size[0] * (j + t.box.size[1] * k));

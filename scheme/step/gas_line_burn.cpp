@@ -33,8 +33,8 @@ void GasLine::Impl::leave_unburnt(std::ptrdiff_t begin, std::size_t count, FaceP
 }
 
 GasLine::Impl::FaceRun GasLine::Impl::beside_unburnt(FaceRun run) noexcept {
-  run.predictor = PredictorKernel::godunov, run.increments = false, run.linear_star = false, run.at_once = false;
-  run.riemann = RiemannSolver::hllc, run.unburnt = true;
+  run = at_first_order(run);
+  run.at_once = false, run.riemann = RiemannSolver::hllc, run.unburnt = true;
   return run;
 }
 

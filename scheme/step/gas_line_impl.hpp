@@ -158,6 +158,8 @@ struct GasLine::Impl {
   /// The new state of a cell has less than `share` of its density or pressure margin left, or is not finite.
   [[nodiscard]] bool bad(std::ptrdiff_t i, double share) const noexcept;
 
+  [[nodiscard]] static FaceRun at_first_order(FaceRun run) noexcept;
+
   /// A posteriori: the faces of cells that lost nearly all of their density or pressure are redone at first order and
   /// their neighbours corrected again, until none is left or nothing more can be redone.
   void repair(FaceRun const& run, double dt);

@@ -41,10 +41,7 @@ struct GasTile {
   FiveDensities through{}, from_source{};
 
   [[nodiscard]] bool stored() const noexcept { return !now.empty(); }
-  [[nodiscard]] std::size_t cells() const noexcept {
-    return static_cast<std::size_t>(box.size[0]) * static_cast<std::size_t>(box.size[1]) *
-           static_cast<std::size_t>(box.size[2]);
-  }
+  [[nodiscard]] std::size_t cells() const noexcept { return cells_in(box.size); }
   [[nodiscard]] std::ptrdiff_t index(int i, int j, int k) const noexcept {
     return i + row * (j + static_cast<std::ptrdiff_t>(box.size[1]) * k);
   }

@@ -1,8 +1,7 @@
 /// End of a solid line that is bonded to another solid: what leaves it, and its face at the contact found.
 #include <algorithm>
 
-#include "scheme/kernel/solid_boundary_loop.hpp"
-#include "scheme/step/solid_line_impl.hpp"
+#include "scheme/step/solid_line_end.hpp"
 
 namespace g27 {
 
@@ -30,43 +29,30 @@ Triple<double> triple(FaceVector const& v) noexcept { return {{v[0], v[1], v[2]}
 
 BondedSide SolidLine::Impl::bonded_side(LineEnd end, double dt) {
   set_terms(dt);
-  bool const low = end == LineEnd::left;
-  std::ptrdiff_t const edge = low ? 0 : cells() - 1;
-  RidingCells const around = cells_at_end(low);
-  SolidBoundaryArguments const g = boundary_arguments(low, dt, around);
-  SolidFrameRows const q(g.cells, 0, solid_cell::fields), term_rows(term.rows(), 0, solid_cell::terms);
-  SolidFrameRows const* const terms = hoops > 0 ? &term_rows : nullptr;
-  BoundaryState<double> const at = extrapolated_state<RidingCells, double>(g, around, q, edge);
-  auto const traced = [&](auto const& w) {
-    return bonded_trace(w, outgoing(g, around, w, q, terms, at.state, edge).amplitude);
-  };
-  SolidState<double> const c0 = q.state<double>(edge);
-  BondedSide side{.elastic = traced(ElasticWaves<double>(at.frozen)),
+  End const here(*this, end == LineEnd::left, dt);
+  auto const traced = [&](auto const& w) { return bonded_trace(w, here.outgoing(w).amplitude); };
+  SolidState<double> const c0 = here.q.state<double>(here.edge);
+  BondedSide side{.elastic = traced(ElasticWaves<double>(here.at.frozen)),
                   .S = {c0.S[0], c0.S[3], c0.S[4]},
                   .u = {c0.u[0], c0.u[1], c0.u[2]}};
   double const Y = strength.Y0 + strength.H * c0.ep;
   side.yields = plastic && setup.options.tangent && mises_squared(c0.S) > yield_share * Y * Y;
   if (!side.yields) return side;
-  side.tangent = traced(TangentWaves<double>(at.frozen, strength));
-  if (terms != nullptr) side.work = term_rows.at<double>(solid_cell::work, edge) * line.h[edge] / dt;
+  side.tangent = traced(TangentWaves<double>(here.at.frozen, strength));
+  if (here.terms != nullptr) side.work = here.terms->at<double>(solid_cell::work, here.edge) * line.h[here.edge] / dt;
   return side;
 }
 
 SolidFace<double> SolidLine::Impl::bonded_face(bool low, double dt, BondedContact const& contact) {
-  std::ptrdiff_t const edge = low ? 0 : cells() - 1;
-  RidingCells const around = cells_at_end(low);
-  SolidBoundaryArguments const g = boundary_arguments(low, dt, around);
-  SolidFrameRows const q(g.cells, 0, solid_cell::fields), term_rows(term.rows(), 0, solid_cell::terms);
-  SolidFrameRows const* const terms = hoops > 0 ? &term_rows : nullptr;
-  BoundaryState<double> const at = extrapolated_state<RidingCells, double>(g, around, q, edge);
+  End const here(*this, low, dt);
   Triple<double> const u = triple(contact.u), s = triple(contact.s);
   auto const carried = [&](auto const& w) {
-    SolidState<double> const foot = outgoing(g, around, w, q, terms, at.state, edge).foot;
+    SolidState<double> const foot = here.outgoing(w).foot;
     return carry(foot, w.path(w.project(s - foot.traction())), u, s);
   };
   bool const yields = low ? contact.plastic_above : contact.plastic_below;
   SolidFace<double> face =
-      yields ? carried(TangentWaves<double>(at.frozen, strength)) : carried(ElasticWaves<double>(at.frozen));
+      yields ? carried(TangentWaves<double>(here.at.frozen, strength)) : carried(ElasticWaves<double>(here.at.frozen));
   if (plastic) radial_return(strength, face.S, face.ep);
   return face;
 }

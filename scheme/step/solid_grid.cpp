@@ -254,10 +254,7 @@ std::vector<double> SolidGrid::field(Field which) const {
         for (int i = 0; i < t.box.size[0]; ++i) {
           SolidVector const q = t.densities(t.index(i, j, k));
           SolidPoint const s = impl_->primitive(q);
-          std::size_t const to = static_cast<std::size_t>(t.box.first[0] + i) +
-                                 static_cast<std::size_t>(n[0]) *
-                                     (static_cast<std::size_t>(t.box.first[1] + j) +
-                                      static_cast<std::size_t>(n[1]) * static_cast<std::size_t>(t.box.first[2] + k));
+          std::size_t const to = cell_number(n, {t.box.first[0] + i, t.box.first[1] + j, t.box.first[2] + k});
           out[to] = solid_field(which, s, internal_energy(q));
         }
       }

@@ -80,6 +80,9 @@ struct SolidLine::Impl {
   [[nodiscard]] RidingCells cells_at_end(bool low) const;
   [[nodiscard]] SolidBoundaryArguments boundary_arguments(bool low, double dt, RidingCells const& around);
 
+  /// solid_line_end.hpp
+  struct End;
+
   // solid_trace.cpp
   [[nodiscard]] SolidTrace trace(LineEnd end, double dt);
 

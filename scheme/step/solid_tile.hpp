@@ -28,10 +28,7 @@ struct SolidTile {
   double faces = 0, switched = 0, tangents = 0, yielded = 0, plastic_work = 0;
   std::array<double, 5> through{}, from_source{};  ///< mass, momentum, energy
 
-  [[nodiscard]] std::size_t cells() const noexcept {
-    return static_cast<std::size_t>(box.size[0]) * static_cast<std::size_t>(box.size[1]) *
-           static_cast<std::size_t>(box.size[2]);
-  }
+  [[nodiscard]] std::size_t cells() const noexcept { return cells_in(box.size); }
   [[nodiscard]] std::ptrdiff_t index(int i, int j, int k) const noexcept {
     return i + row * (j + static_cast<std::ptrdiff_t>(box.size[1]) * k);
   }

@@ -2,8 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scheme/kernel/solid_boundary_loop.hpp"
-#include "scheme/step/solid_line_impl.hpp"
+#include "scheme/step/solid_line_end.hpp"
 
 namespace g27 {
 
@@ -38,25 +37,19 @@ double yield_at(double const* S_0, double const* S_1, double Y) noexcept {
 /// brings the deviator on the surface to the yield surface.
 SolidTrace SolidLine::Impl::trace(LineEnd end, double dt) {
   set_terms(dt);
-  bool const low = end == LineEnd::left;
-  std::ptrdiff_t const edge = low ? 0 : cells() - 1;
-  RidingCells const around = cells_at_end(low);
-  SolidBoundaryArguments const g = boundary_arguments(low, dt, around);
-  SolidFrameRows const q(g.cells, 0, solid_cell::fields), term_rows(term.rows(), 0, solid_cell::terms);
-  SolidFrameRows const* const terms = hoops > 0 ? &term_rows : nullptr;
-  BoundaryState<double> const at = extrapolated_state<RidingCells, double>(g, around, q, edge);
-  ElasticWaves<double> const elastic(at.frozen);
-  Outgoing<double> const out = outgoing(g, around, elastic, q, terms, at.state, edge);
-  Response const e = response(elastic, g.side, out.amplitude);
+  End const here(*this, end == LineEnd::left, dt);
+  ElasticWaves<double> const elastic(here.at.frozen);
+  Outgoing<double> const out = here.outgoing(elastic);
+  Response const e = response(elastic, here.g.side, out.amplitude);
   SolidTrace trace{.free_velocity = e.free_velocity, .impedance = 1.0 / e.compliance};
   if (!plastic || !setup.options.tangent) return trace;
 
-  SolidState<double> const c0 = q.state<double>(edge);
+  SolidState<double> const c0 = here.q.state<double>(here.edge);
   double const Y = strength.Y0 + strength.H * c0.ep;
   if (mises_squared(c0.S) > yield_share * Y * Y) {
     if (!(c0.S[0] < 0)) return trace;
-    TangentWaves<double> const tangent(at.frozen, strength);
-    Response const t = response(tangent, g.side, outgoing(g, around, tangent, q, terms, at.state, edge).amplitude);
+    TangentWaves<double> const tangent(here.at.frozen, strength);
+    Response const t = response(tangent, here.g.side, here.outgoing(tangent).amplitude);
     double const softer = t.compliance - e.compliance;
     if (!(softer > 1e-6 * e.compliance)) return trace;
     trace.yield_pressure = (e.free_velocity - t.free_velocity) / softer;
@@ -70,16 +63,16 @@ SolidTrace SolidLine::Impl::trace(LineEnd end, double dt) {
         carry(out.foot, elastic.path(elastic.project(s - out.foot.traction())), Triple<double>{}, s);
     std::copy(std::begin(face.S), std::end(face.S), S);
   };
-  double S_0[6], S_1[6], unit = at.frozen.longitudinal();
+  double S_0[6], S_1[6], unit = here.at.frozen.longitudinal();
   deviator(0.0, S_0), deviator(unit, S_1);
   for (int k = 0; k < 6; ++k) S_1[k] -= S_0[k];
   double const share = yield_at(S_0, S_1, Y);
   if (!(share < 1.0)) return trace;  // as much as the modulus itself: beyond every use
-  FrozenSolid<double> yielding = at.frozen;
+  FrozenSolid<double> yielding = here.at.frozen;
   for (int k = 0; k < 6; ++k) yielding.S[k] = S_0[k] + share * S_1[k];
   yielding.p = share * unit + yielding.S[0];
   TangentWaves<double> const tangent(yielding, strength);
-  double const softer = response(tangent, g.side, out.amplitude).compliance;
+  double const softer = response(tangent, here.g.side, out.amplitude).compliance;
   if (!(softer > e.compliance)) return trace;
   trace.yield_pressure = share * unit;
   trace.plastic_impedance = 1.0 / softer;

@@ -72,6 +72,7 @@ Table run(BenchmarkOptions const& options) {
                               static_cast<double>(grid.bytes()) / static_cast<double>(grid.cell_count()), triad[k],
                               1e-9 * bytes * updates / triad[k], flops, fma, 1e-9 * flops * updates / threads[k] / fma,
                               static_cast<double>(n.linear_star) / static_cast<double>(n.faces)});
+        options.progress(part_done(table, media.size() * schemes.size() * threads.size()));
       }
     }
   }
@@ -87,7 +88,8 @@ Table run(BenchmarkOptions const& options) {
 
 Benchmark euler3d_bench() {
   return {"euler3d",
-          "cell updates of the 3D gas scheme by predictor and equation of state, over the machine's own rates", run};
+          "cell updates of the 3D gas scheme by predictor and equation of state, over the machine's own rates", 40,
+          run};
 }
 
 }  // namespace g27

@@ -76,6 +76,7 @@ Table run(BenchmarkOptions const& options) {
       table.rows.push_back({std::string{predictor == Predictor::godunov ? "godunov" : "modified"}, static_cast<long>(n),
                             static_cast<long>(problems), 1e3 * n * local / problems, all, local, gas, solid, geometry,
                             fill, 1 - gas / all});
+      options.progress(part_done(table, 2 * threads.size()));
     }
   }
   table.facts = {{"isa", std::string{gas_kernels().isa}},
@@ -87,7 +88,8 @@ Table run(BenchmarkOptions const& options) {
 }  // namespace
 
 Benchmark fsi_bench() {
-  return {"fsi", "what a body costs: time of a triangle's step (threads x wall clock), and its share of the step", run};
+  return {"fsi", "what a body costs: time of a triangle's step (threads x wall clock), and its share of the step", 15,
+          run};
 }
 
 }  // namespace g27

@@ -115,6 +115,7 @@ Table run(BenchmarkOptions const& options) {
         table.rows.push_back({std::string{scheme}, std::string{flux}, std::string{medium.name},
                               static_cast<double>(cells) / step, 1e9 * step / static_cast<double>(cells), step / copy,
                               static_cast<double>(n.linear_star) / static_cast<double>(n.faces)});
+        options.progress(part_done(table, media.size() * fluxes.size() * schemes.size()));
       }
     }
   }
@@ -124,7 +125,7 @@ Table run(BenchmarkOptions const& options) {
 }  // namespace
 
 Benchmark gas1d_bench() {
-  return {"gas1d", "cell updates of the 1D gas scheme by predictor, flux and equation of state", run};
+  return {"gas1d", "cell updates of the 1D gas scheme by predictor, flux and equation of state", 1, run};
 }
 
 }  // namespace g27

@@ -102,11 +102,12 @@ Table run(BenchmarkOptions const& options) {
     char const* name;
     double size;
   };
+  std::array const jumps{Data{"1 %", 0.01}, Data{"10 %", 0.1}, Data{"ratio 1000", 1000}, Data{"mixed", 0}};
   for (Medium const& medium : media) {
     std::visit(
         [&]<class E>(E const& eos) {
           std::size_t const law = medium.eos.index();
-          for (Data const& data : {Data{"1 %", 0.01}, Data{"10 %", 0.1}, Data{"ratio 1000", 1000}, Data{"mixed", 0}}) {
+          for (Data const& data : jumps) {
             std::mt19937_64 random(1);
             Faces faces;
             if (data.size > 0) {
@@ -134,6 +135,7 @@ Table run(BenchmarkOptions const& options) {
             row("fast", fast);
             double const exact = time(RiemannSolver::exact, failures);
             row("exact", exact);
+            options.progress(part_done(table, std::size(media) * jumps.size() * 3));
           }
         },
         medium.eos);
@@ -144,7 +146,7 @@ Table run(BenchmarkOptions const& options) {
 }  // namespace
 
 Benchmark riemann_bench() {
-  return {"riemann", "one Riemann problem: fast, exact and HLLC solvers by equation of state and jump", run};
+  return {"riemann", "one Riemann problem: fast, exact and HLLC solvers by equation of state and jump", 2, run};
 }
 
 }  // namespace g27

@@ -92,6 +92,7 @@ Table run(BenchmarkOptions const& options) {
                               1e-9 * bytes * updates / triad[k], flops, fma, 1e-9 * flops * updates / threads[k] / fma,
                               static_cast<double>(n.tangent) / static_cast<double>(n.faces)});
       }
+      options.progress(part_done(table, schemes.size() * threads.size() * materials.size()));
     }
   }
   table.facts = {{"isa", std::string{solid_kernels().isa}},
@@ -106,7 +107,7 @@ Table run(BenchmarkOptions const& options) {
 
 Benchmark solid3d_bench() {
   return {"solid3d", "cell updates of the 3D solid scheme by predictor and material, and their cost over the gas's",
-          run};
+          120, run};
 }
 
 }  // namespace g27

@@ -7,7 +7,8 @@
 
 namespace g27 {
 
-/// A result could not be written or read back: disk full, no permission, damaged file. Exit status 1.
+/// A result could not be written or read back: disk full, no permission, damaged file. Exit status 1, unless what asked
+/// for it knows better.
 struct OutputError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scheme/grid/cell_place.hpp"
+
 namespace g27 {
 namespace {
 
@@ -104,10 +106,7 @@ double BodyFieldView::max_pressure() const {
     CellKinds const& kinds = body->gas.kinds;
     for (std::size_t i = 0; i < kinds.count(); ++i) {
       if (kinds.valid(i) || kinds.is_image(i)) continue;
-      Int3 const c = kinds.in_grid(kinds.cell(i));
-      p[static_cast<std::size_t>(c[0]) +
-        static_cast<std::size_t>(n[0]) * (static_cast<std::size_t>(c[1]) +
-                                          static_cast<std::size_t>(n[1]) * static_cast<std::size_t>(c[2]))] = -1e300;
+      p[cell_number(n, kinds.in_grid(kinds.cell(i)))] = -1e300;
     }
   }
   return *std::max_element(p.begin(), p.end());

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "fsi/overset/gas_integrals.hpp"
+#include "scheme/grid/cell_place.hpp"
 
 namespace g27 {
 namespace {
@@ -52,11 +53,7 @@ void mask(OversetSolver const& solver, GridSnapshot& shot) {
     CellKinds const& kinds = body->gas.kinds;
     for (std::size_t i = 0; i < kinds.count(); ++i) {
       if (kinds.valid(i) || kinds.is_image(i) || kinds.in_medium(kinds.centre(kinds.cell(i)))) continue;
-      Int3 const c = kinds.in_grid(kinds.cell(i));
-      std::size_t const at =
-          static_cast<std::size_t>(c[0]) +
-          static_cast<std::size_t>(n[0]) *
-              (static_cast<std::size_t>(c[1]) + static_cast<std::size_t>(n[1]) * static_cast<std::size_t>(c[2]));
+      std::size_t const at = cell_number(n, kinds.in_grid(kinds.cell(i)));
       for (HistoryColumn& field : shot.fields) field.values[at] = 0;
     }
   }

@@ -85,7 +85,8 @@ int command_check(CheckArguments const& arguments) {
                                 {"expectations", scene.expect.size()},
                                 {"seconds", seconds},
                                 {"bytes", bytes},
-                                {"bare_numbers", scene.bare_numbers}};
+                                {"bare_numbers", scene.bare_numbers},
+                                {"remarks", remarks_on(scene)}};
     for (std::size_t i = 0; i < estimates.size(); ++i) {
       SceneRun const& run = scene.runs[i];
       json["runs"].push_back({{"name", run.name},
@@ -130,12 +131,9 @@ int command_check(CheckArguments const& arguments) {
   fmt::print("{}\nabout {} on one thread, {:.1f} MB; {} figures to judge\n", to_text(table), duration_text(seconds),
              bytes / 1e6, scene.expect.size());
   for (std::size_t i = 0; i < estimates.size(); ++i) {
-    if (estimates[i].bodies.empty()) continue;
-    fmt::print("{}\n", to_text(bodies_table(estimates[i])));
-    for (SceneBody const& body : scene.runs[i].grid->bodies) {
-      for (std::string const& remark : body.remarks) fmt::print("{}: {}: {}\n", body.key, body.file, remark);
-    }
+    if (!estimates[i].bodies.empty()) fmt::print("{}\n", to_text(bodies_table(estimates[i])));
   }
+  for (std::string const& remark : remarks_on(scene)) fmt::print("{}\n", remark);
   if (scene.bare_numbers.empty()) {
     fmt::print("every number with a dimension carries its unit\n");
   } else {

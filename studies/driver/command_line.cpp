@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <memory>
@@ -42,7 +43,11 @@ void add_run(CLI::App& app, int& status) {
   auto const a = std::make_shared<RunArguments>();
   auto* sub = add_command(app, "run", "run a scene, write its results and judge them", command_run, a, status);
   sub->add_option("scene", a->scene, "path, or name in studies/scenes")->capture_default_str();
-  sub->add_option("--out", a->out, "folder of the results (default: results/SCENE)")->check(not_empty);
+  sub->add_option(
+         "--out", a->out,
+         "folder of the results (default: results/SCENE); those of a run before it stay in its folder 'earlier' "
+         "until this one is complete")
+      ->check(not_empty);
   sub->add_option("--set", a->set, "override a key: domain.cells=400")->allow_extra_args(false);
   sub->add_option("--threads", a->threads, "default: all of the machine")->check(CLI::Range(1, 1024));
   sub->add_flag("--resume", a->resume, "continue from the last checkpoint in the folder");
@@ -186,8 +191,8 @@ int run_program(int argc, char** argv) {
       for (auto const* sub : app.get_subcommands({})) {
         names.push_back(sub->get_name());
       }
-      if (std::string const near = nearest_key(argv[1], names); !near.empty() && near != argv[1]) {
-        fmt::print(stderr, "  -> did you mean 'g27 {}'?\n", near);
+      if (argv[1][0] != '-' && std::find(names.begin(), names.end(), argv[1]) == names.end()) {
+        fmt::print(stderr, "  -> {}\n", suggestion(argv[1], names));
       }
     }
     return bad_input;

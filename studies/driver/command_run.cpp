@@ -1,13 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <thread>
 
 #include "studies/driver/atomic_file.hpp"
 #include "studies/driver/body_ledger.hpp"
 #include "studies/driver/command.hpp"
+#include "studies/driver/earlier_results.hpp"
 #include "studies/driver/input_error.hpp"
 #include "studies/driver/python.hpp"
 #include "studies/driver/scene_check.hpp"
@@ -141,24 +141,26 @@ bool draw_variants(Scene const& scene, SceneResult const& result, std::filesyste
   return drawn;
 }
 
-/// Removes what an earlier run left in the folder, by its summary, so that results of two scenes never mix.
-void remove_last_results(std::filesystem::path const& out) {
-  std::ifstream file(out / "summary.json");
-  Json const last = Json::parse(file, nullptr, false);
-  if (!last.is_object() || !last.contains("runs")) return;
-  std::error_code ignored;
-  for (Json const& run : last["runs"]) {
-    std::string const name = run.value("name", ""), scheme = run.value("scheme", "");
-    if (name.empty() || name.find('/') != std::string::npos) continue;
-    for (char const* ending : {".h5", ".xdmf", ".failure.json"})
-      std::filesystem::remove(out / (name + ending), ignored);
-    std::filesystem::remove_all(out / (name + ".state"), ignored);
-    if (name.size() > scheme.size() + 1) {
-      std::filesystem::remove(out / (name.substr(0, name.size() - scheme.size() - 1) + ".png"), ignored);
-    }
+std::string quoted(std::string const& word) {
+  if (word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/%") ==
+      std::string::npos) {
+    return word;
   }
-  for (char const* name : {"runs.csv", "saved.csv", "bodies.csv", "ledger.csv", "verdict.csv", "summary.json"})
-    std::filesystem::remove(out / name, ignored);
+  std::string out = "'";
+  for (char const c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return out + "'";
+}
+
+/// The command that goes on from the checkpoints in `out`.
+std::string resume_command(RunArguments const& arguments, std::filesystem::path const& out) {
+  std::string command = "g27 run " + quoted(arguments.scene);
+  for (std::string const& assignment : arguments.set) command += " --set " + quoted(assignment);
+  return command + " --out " + quoted(out.string()) + " --resume";
+}
+
+bool has_checkpoint(Scene const& scene, std::filesystem::path const& out) {
+  return std::any_of(scene.runs.begin(), scene.runs.end(),
+                     [&](SceneRun const& run) { return std::filesystem::exists(out / (run.name + ".h5")); });
 }
 
 }  // namespace
@@ -166,30 +168,26 @@ void remove_last_results(std::filesystem::path const& out) {
 int command_run(RunArguments const& arguments) {
   Scene const scene = read_scene(find_scene(arguments.scene), arguments.set);
   std::filesystem::path const out = arguments.out.empty() ? "results/" + scene.name : arguments.out;
-  if (arguments.resume && std::none_of(scene.runs.begin(), scene.runs.end(), [&](SceneRun const& run) {
-        return std::filesystem::exists(out / (run.name + ".h5"));
-      })) {
+  if (arguments.resume && !has_checkpoint(scene, out)) {
     throw InputError("g27 run", "--resume", fmt::format("{} holds no run of this scene", out.string()),
                      "leave --resume out, or name the folder with --out");
   }
   require_memory(scene);
-  for (SceneRun const& run : scene.runs) {
-    for (std::size_t n = 0; run.grid && &run == &scene.runs[0] && n < run.grid->bodies.size(); ++n) {
-      SceneBody const& body = run.grid->bodies[n];
-      for (std::string const& remark : body.remarks) fmt::print(stderr, "{}: {}: {}\n", body.key, body.file, remark);
-    }
-  }
+  for (std::string const& remark : remarks_on(scene)) fmt::print(stderr, "{}\n", remark);
   int const machine = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   fmt::print(stderr, "{}: {} run{} into {}\n", scene.title, scene.runs.size(), scene.runs.size() == 1 ? "" : "s",
              out.string());
-  if (!arguments.resume) remove_last_results(out);
+  EarlierResults const earlier(out);
+  if (!arguments.resume) earlier.set_aside();
   SceneResult const result = run_scene(scene, {.out = out,
                                                .threads = arguments.threads > 0 ? arguments.threads : machine,
                                                .resume = arguments.resume,
                                                .checkpoint_s = arguments.checkpoint_s});
-  if (result.interrupted) {
-    fmt::print(stderr, "interrupted; continue with --resume\n");
-    return 1;
+  if (result.interrupted != 0) {
+    bool const saved = has_checkpoint(scene, out);
+    fmt::print(stderr, "interrupted; {}\n",
+               saved ? "to continue: " + resume_command(arguments, out) : "nothing was saved yet");
+    return 128 + result.interrupted;
   }
   std::vector<Table> tables{run_table(scene, result)};
   if (scene.runs[0].grid) {
@@ -203,11 +201,13 @@ int command_run(RunArguments const& arguments) {
   if (!result.judgements.empty()) {
     tables.push_back(verdict_table(scene, result.judgements));
   }
+  std::erase_if(tables, [](Table const& table) { return table.rows.empty(); });  // every run has failed
   for (Table const& table : tables) {
     write_csv(out, table);
   }
   Json const json = result_json(scene, result, out);
   write_atomically(out / "summary.json", json.dump(2) + "\n");
+  if (result.failures.empty()) earlier.remove();
   for (auto const& [name, message] : result.failures) {
     fmt::print(stderr, "failed: {}\n  see {}/{}.failure.json\n", message, out.string(), name);
   }

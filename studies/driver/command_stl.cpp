@@ -60,7 +60,7 @@ TriangleSurface make(StlArguments const& arguments) {
   }
   for (ShapeParameter const& p : shape.parameters) {
     if (!values.contains(p.name)) {
-      throw InputError(here, "--make " + shape.name, fmt::format("needs {}, the {}", p.name, p.what),
+      throw InputError(here, "--make " + shape.name, fmt::format("needs {} ({})", p.name, p.what),
                        fmt::format("add --set {}='{}'", p.name, p.example));
     }
   }
@@ -96,7 +96,7 @@ class StlCommand {
     load();
     if (!a_.repair_out.empty()) repair_surface();
     if (edge_ && report_.diagnosis.healthy()) remesh_surface();
-    if (!a_.out.empty() && report_.diagnosis.healthy()) write(a_.out);
+    if (!a_.out.empty() && report_.diagnosis.healthy()) write("--out", a_.out);
     if (a_.json) {
       fmt::print("{}\n", to_json(report_).dump(2));
     } else {
@@ -134,7 +134,7 @@ class StlCommand {
     if (done.surface.size() == 0) return;  // nothing is left: the findings stand
     if (done.diagnosis.healthy()) {
       adopt(rounded(done.surface, report_.unit));
-      if (report_.diagnosis.healthy()) write(a_.repair_out);
+      if (report_.diagnosis.healthy()) write("--repair", a_.repair_out);
       return;
     }
     // Triangles keep the numbers that they have in the file.
@@ -153,8 +153,12 @@ class StlCommand {
     report_.volume_before_remeshing = volume;
   }
 
-  void write(std::string const& file) {
-    write_atomically(file, binary_stl(report_.surface, report_.unit));
+  void write(std::string const& option, std::string const& file) {
+    try {
+      write_atomically(file, binary_stl(report_.surface, report_.unit));
+    } catch (OutputError const& error) {
+      throw InputError(here, option, error.what(), "choose another file");
+    }
     report_.written.push_back(file);
   }
 

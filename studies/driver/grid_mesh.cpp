@@ -1,25 +1,10 @@
 #include "studies/driver/grid_mesh.hpp"
 
-#include <algorithm>
-
+#include "scheme/grid/cell_place.hpp"
 #include "studies/driver/grid_simulate.hpp"
 
 namespace g27 {
 namespace {
-
-std::size_t index_of(Int3 const& cells, Int3 const& c) {
-  auto const n = [&](std::size_t d) { return static_cast<std::size_t>(cells[d]); };
-  return static_cast<std::size_t>(c[0]) +
-         n(0) * (static_cast<std::size_t>(c[1]) + n(1) * static_cast<std::size_t>(c[2]));
-}
-
-void add(LedgerEntry& total, LedgerEntry const& part) {
-  total.current = part.current;
-  total.through_boundary += part.through_boundary;
-  total.from_source += part.from_source;
-  total.from_floor += part.from_floor;
-  total.scale = std::max(total.scale, part.scale);
-}
 
 /// Gas alone.
 class GasMesh : public GridMesh {
@@ -36,7 +21,7 @@ class GasMesh : public GridMesh {
     grid_.set_cells(
         [&](Int3 const& c) -> GasDensities {
           auto const& q = from.averages;
-          std::size_t const i = index_of(n, c);
+          std::size_t const i = cell_number(n, c);
           return {q[0][i], {q[1][i], q[2][i], q[3][i]}, q[4][i]};
         },
         from.time);
@@ -44,21 +29,12 @@ class GasMesh : public GridMesh {
   GridStepReport step(double t_end) override { return grid_.step(t_end); }
   void capture_state(GridRestart& now) const override {
     Int3 const n = grid_.cells();
-    for (auto& field : now.averages) {
-      field.resize(static_cast<std::size_t>(n[0]) * static_cast<std::size_t>(n[1]) * static_cast<std::size_t>(n[2]));
-    }
-    for (int k = 0; k < n[2]; ++k) {
-      for (int j = 0; j < n[1]; ++j) {
-        for (int i = 0; i < n[0]; ++i) {
-          std::size_t const at = index_of(n, {i, j, k});
-          GasDensities const q = grid_.solid({i, j, k}) ? GasDensities{} : grid_.average({i, j, k});
-          double const values[] = {q.mass, q.momentum[0], q.momentum[1], q.momentum[2], q.energy};
-          for (std::size_t f = 0; f < 5; ++f) {
-            now.averages[f][at] = values[f];
-          }
-        }
-      }
-    }
+    for (auto& field : now.averages) field.resize(cells_in(n));
+    for_each_cell(n, [&](Int3 const& cell) {
+      GasDensities const q = grid_.solid(cell) ? GasDensities{} : grid_.average(cell);
+      double const values[] = {q.mass, q.momentum[0], q.momentum[1], q.momentum[2], q.energy};
+      for (std::size_t f = 0; f < 5; ++f) now.averages[f][cell_number(n, cell)] = values[f];
+    });
   }
 
  private:

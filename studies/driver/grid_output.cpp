@@ -133,6 +133,16 @@ void write_grid_run(std::filesystem::path const& file, Scene const& scene, Scene
   write_atomically(file.parent_path() / (file.stem().string() + ".xdmf"), grid_xdmf(file.stem().string(), run, grid));
 }
 
+void check_states(Hdf5Reader const& in, std::filesystem::path const& file) {
+  std::vector<double> const times = in.read("/times");
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    auto const of_state = file.parent_path() / state_folder(file) / state_file(i);
+    if (Hdf5Reader(of_state).number_attribute(state_path(i), "time") != times[i]) {
+      throw OutputError(fmt::format("{} is the state of another run", of_state.string()));
+    }
+  }
+}
+
 void read_grid_run(Hdf5Reader const& in, SceneRun const& run, RunRecord& record) {
   GridRecord& grid = *record.grid;
   GridRestart& r = grid.restart;

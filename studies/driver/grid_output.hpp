@@ -13,6 +13,9 @@ void write_grid_run(std::filesystem::path const& file, Scene const& scene, Scene
                     int threads);
 void read_grid_run(Hdf5Reader const& in, SceneRun const& run, RunRecord& record);
 
+/// Every state that the run's file names is there, whole and of its time. Throws OutputError.
+void check_states(Hdf5Reader const& in, std::filesystem::path const& file);
+
 /// State `index` of the run whose file is `file`.
 void write_grid_state(std::filesystem::path const& file, SceneRun const& run, std::size_t index,
                       GridSnapshot const& state);

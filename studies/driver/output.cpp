@@ -69,7 +69,9 @@ void write_run(std::filesystem::path const& file, Scene const& scene, SceneRun c
 }
 
 void check_resumable(std::filesystem::path const& file, Scene const& scene, SceneRun const& run) {
-  check_identity(Hdf5Reader(file), file, scene, run);
+  Hdf5Reader const in(file);
+  check_identity(in, file, scene, run);
+  if (run.grid) check_states(in, file);
 }
 
 RunRecord read_run(std::filesystem::path const& file, Scene const& scene, SceneRun const& run) {

@@ -11,7 +11,7 @@ namespace g27 {
 void write_run(std::filesystem::path const& file, Scene const& scene, SceneRun const& run, RunRecord const& record,
                int threads);
 
-/// Throws as read_run() does for a file that belongs to something else.
+/// Throws as read_run() does for a file that belongs to something else; OutputError for damaged states of a grid.
 void check_resumable(std::filesystem::path const& file, Scene const& scene, SceneRun const& run);
 
 /// Reads a record back. Throws OutputError, or InputError when the file belongs to another scene or other settings.

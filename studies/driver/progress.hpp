@@ -19,10 +19,11 @@ class Progress {
   void update(std::size_t part, double fraction, std::string const& what);
   /// Prints a line of its own, clear of the moving one.
   void say(std::string const& line);
+  /// Takes the moving line away, where no other thread puts it back.
+  void clear();
 
  private:
   void show(double fraction, std::string const& what);
-  void clear();
 
   std::mutex mutex_;
   std::vector<double> weights_, fractions_;

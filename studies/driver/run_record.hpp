@@ -29,6 +29,9 @@ struct Restart {
   GasLedger ledger;
 };
 
+/// Adds what happened in a later piece of a run.
+void add(LedgerEntry& total, LedgerEntry const& piece);
+
 /// Where the content of a body, or of the gas outside of all bodies, went. `from_source`: what passed the contact, the
 /// impulse and the work of the pressures on the triangles. The residual is what interpolation between the grids and the
 /// motion of the surface gained or lost.

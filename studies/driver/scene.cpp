@@ -1,5 +1,7 @@
 #include "studies/driver/scene.hpp"
 
+#include <algorithm>
+
 namespace g27 {
 
 std::vector<std::string> const& predictor_names() {
@@ -39,6 +41,21 @@ std::vector<std::string> const& ray_names() {
 std::vector<std::string> const& face_names() {
   static std::vector<std::string> const names{"-x", "+x", "-y", "+y", "-z", "+z"};
   return names;
+}
+
+std::vector<std::string> remarks_on(Scene const& scene) {
+  std::vector<std::string> out;
+  auto const add = [&](std::string const& remark) {
+    if (std::find(out.begin(), out.end(), remark) == out.end()) out.push_back(remark);
+  };
+  for (SceneRun const& run : scene.runs) {
+    for (std::size_t n = 0; run.grid && n < run.grid->bodies.size(); ++n) {
+      SceneBody const& body = run.grid->bodies[n];
+      for (std::string const& remark : body.remarks) add(body.key + ": " + body.file + ": " + remark);
+    }
+    for (std::string const& remark : run.output.remarks) add(remark);
+  }
+  return out;
 }
 
 std::size_t SceneRun::cells() const {

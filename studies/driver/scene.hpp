@@ -37,9 +37,10 @@ struct OutputPlan {
   double threshold = 0;           ///< pressure [Pa] that marks a shock's or a wall's arrival
   std::vector<Probe> probes;
   std::vector<BodyProbe> body_probes;
-  int map_times = 200;   ///< slices of a line's x-t map
-  Vec3 origin{0, 0, 0};  ///< of a grid: where the rays that measure shock radii start
-  bool repairs = false;  ///< of a grid: how often switch, cure and repair acted in each cell
+  int map_times = 200;               ///< slices of a line's x-t map
+  Vec3 origin{0, 0, 0};              ///< of a grid: where the rays that measure shock radii start
+  bool repairs = false;              ///< of a grid: how often switch, cure and repair acted in each cell
+  std::vector<std::string> remarks;  ///< on probes that see no gas at the start
 };
 
 /// A first phase on a line, for data that are symmetric about a centre; then mapped onto the grid.
@@ -114,6 +115,9 @@ struct Scene {
   std::vector<Expectation> expect;
   std::vector<std::string> bare_numbers;  ///< numbers without a unit, taken as SI
 };
+
+/// What the user should know before a run: of surfaces and probes; each once.
+std::vector<std::string> remarks_on(Scene const& scene);
 
 /// Names in scenes and on the command line, in the order of the enumerations.
 std::vector<std::string> const& predictor_names();   ///< godunov linear parabolic muscl

@@ -65,15 +65,14 @@ void check_inside(Section const& body, std::string const& key, BoundingBox const
 /// The box that the body stays in: as given, or on each side by the cube root of its box's volume more.
 void set_extent(Section const& body, GridBox const& box, Mirrors const& cut, BodySetup& setup) {
   BoundingBox const own = bounding_box(setup.surface);
-  Vec3 const size = own.upper - own.lower;
   if (body.has("extent")) {
     auto const extent = body.intervals("extent", dimension::length);
     if (extent.size() != 3) {
       throw body.error("extent", fmt::format("has {} intervals", extent.size()), "give 3, one an axis");
     }
+    for (std::size_t a = 0; a < 3; ++a) setup.lower[a] = extent[a][0], setup.upper[a] = extent[a][1];
+    setup = bounded(std::move(setup), cut);
     for (std::size_t a = 0; a < 3; ++a) {
-      setup.lower[a] = cut.low[a] ? cut.lower[a] : extent[a][0];
-      setup.upper[a] = cut.high[a] ? cut.upper[a] : extent[a][1];
       if (setup.lower[a] > own.lower[a] || setup.upper[a] < own.upper[a]) {
         throw body.error("extent",
                          fmt::format("does not hold the body, which reaches from {:.6g} m to {:.6g} m along {}",
@@ -84,12 +83,14 @@ void set_extent(Section const& body, GridBox const& box, Mirrors const& cut, Bod
     check_inside(body, "extent", {setup.lower, setup.upper}, box, cut, "keep it");
     return;
   }
+  Vec3 const size = own.upper - own.lower;
   double const way = std::cbrt(size[0] * size[1] * size[2]);
   BoundingBox const room = room_in(box);
   for (std::size_t a = 0; a < 3; ++a) {
-    setup.lower[a] = cut.low[a] ? cut.lower[a] : std::max(own.lower[a] - way, room.lower[a]);
-    setup.upper[a] = cut.high[a] ? cut.upper[a] : std::min(own.upper[a] + way, room.upper[a]);
+    setup.lower[a] = std::max(own.lower[a] - way, room.lower[a]);
+    setup.upper[a] = std::min(own.upper[a] + way, room.upper[a]);
   }
+  setup = bounded(std::move(setup), cut);
 }
 
 /// The planes among `walls` that a body with this box reaches across.

@@ -109,8 +109,27 @@ std::vector<std::string> read_judged_schemes(Section const& section) {
   return out;
 }
 
+bool is_later(double time, double end) { return time > end * (1 + 1e-9); }
+
+/// What a run never gets to is never measured.
+void check_reached(Section const& section, std::string const& key, double t, SceneRun const& run) {
+  bool const span = key != "time";
+  if (is_later(t, span ? run.end - run.start : run.end)) {
+    throw section.error(
+        key,
+        span ? fmt::format("{:g} s is longer than '{}', from {:g} s to {:g} s", t, run.variant, run.start, run.end)
+             : fmt::format("{:g} s is after the end of '{}' at {:g} s", t, run.variant, run.end),
+        "choose it within the run, set time.end later, or expect nothing by --set expect=[]");
+  }
+  if (!span && t < run.start) {
+    throw section.error(key, fmt::format("{:g} s is before the start of '{}' at {:g} s", t, run.variant, run.start),
+                        "choose it within the run");
+  }
+}
+
 Expectation read_expectation(Section const& root, Section const& section, std::vector<std::string> const& variants,
-                             int dimensions, std::vector<std::string> const& bodies) {
+                             std::vector<SceneRun> const& runs, std::vector<std::string> const& bodies) {
+  int const dimensions = runs[0].dimensions();
   std::vector<std::string> names;
   for (auto const& quantity : all_quantities()) {
     if ((dimensions == 1 ? quantity.on_line : quantity.on_grid) && (!bodies.empty() || !quantity.of_bodies())) {
@@ -124,6 +143,8 @@ Expectation read_expectation(Section const& root, Section const& section, std::v
                                        [&](HistoryQuantity const& q) { return q.name == e.quantity; });
   auto const takes = [&](char const* key) { return quantity.needs.find(key) != std::string::npos; };
   e.variant = variants[section.choice("variant", variants, 0)];
+  SceneRun const& run =
+      *std::find_if(runs.begin(), runs.end(), [&](SceneRun const& r) { return r.variant == e.variant; });
   for (auto const& [key, target] : {std::pair{"time", &e.time}, {"after", &e.after}, {"window", &e.window}}) {
     if (takes(key) != section.has(key)) {
       throw section.error(key, fmt::format("{} by '{}'", takes(key) ? "is needed" : "is not used", e.quantity),
@@ -131,6 +152,7 @@ Expectation read_expectation(Section const& root, Section const& section, std::v
     }
     if (takes(key)) {
       *target = section.positive(key, dimension::time);
+      check_reached(section, key, **target, run);
     }
   }
   if (takes("threshold") && (!root.has("output") || root.need("output", "").find("threshold") == nullptr)) {
@@ -241,7 +263,7 @@ OutputPlan read_output(Section const& root, double start, double end, Extent con
       plan.snapshots.push_back(t);
     }
   }
-  // Times outside this run's interval belong to another variant; every run records its two ends.
+  // Times outside this run's interval belong to another variant (check_snapshots); every run records its two ends.
   std::erase_if(plan.snapshots, [&](double t) { return t <= start || t >= end; });
   plan.snapshots.insert(plan.snapshots.begin(), start);
   plan.snapshots.push_back(end);
@@ -258,11 +280,27 @@ OutputPlan read_output(Section const& root, double start, double end, Extent con
   return plan;
 }
 
+void check_snapshots(Section const& root, int dimensions, double latest) {
+  if (!root.has("output")) return;
+  Section const section = root.table("output", output_keys(dimensions));
+  if (!section.has("snapshots")) return;
+  for (double const t : section.quantities("snapshots", dimension::time)) {
+    if (is_later(t, latest)) {
+      throw section.error("snapshots", fmt::format("{:g} s is after the end at {:g} s", t, latest),
+                          "leave it out, set time.end later, or take none by --set output.snapshots=[]");
+    }
+  }
+}
+
 std::vector<Expectation> read_expectations(Section const& root, std::vector<std::string> const& variants,
-                                           int dimensions, std::vector<std::string> const& bodies) {
+                                           std::vector<SceneRun> const& runs) {
+  std::vector<std::string> bodies;
+  for (SceneRun const& run : runs) {
+    for (std::size_t n = 0; run.grid && n < run.grid->bodies.size(); ++n) bodies.push_back(run.grid->bodies[n].name);
+  }
   std::vector<std::string> keys{"quantity", "variant", "probe",     "schemes", "time",  "after",
                                 "window",   "value",   "tolerance", "source",  "judged"};
-  if (dimensions > 1) {
+  if (runs[0].dimensions() > 1) {
     keys.emplace_back("axis");
   }
   if (!bodies.empty()) {
@@ -272,7 +310,7 @@ std::vector<Expectation> read_expectations(Section const& root, std::vector<std:
   for (Section const& section : root.tables("expect", keys)) {
     for (Node const& node : spread(section)) {
       out.push_back(
-          read_expectation(root, Section(section.reading(), node, section.path(), keys), variants, dimensions, bodies));
+          read_expectation(root, Section(section.reading(), node, section.path(), keys), variants, runs, bodies));
     }
   }
   return out;

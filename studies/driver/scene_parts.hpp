@@ -60,10 +60,12 @@ struct Extent {
 };
 /// [output], for a run from `start` to `end`.
 OutputPlan read_output(Section const& root, double start, double end, Extent const& extent);
+/// Snapshots after `latest` are a slip: no run of the scene gets there.
+void check_snapshots(Section const& root, int dimensions, double latest);
 
-/// [[expect]].
+/// [[expect]] of the runs of a scene.
 std::vector<Expectation> read_expectations(Section const& root, std::vector<std::string> const& variants,
-                                           int dimensions, std::vector<std::string> const& bodies);
+                                           std::vector<SceneRun> const& runs);
 
 /// `keys` and those of a state: material, density, velocity, pressure.
 std::vector<std::string> with_state_keys(std::vector<std::string> keys);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fsi/surface/gap.hpp"
 #include "studies/driver/nearest_key.hpp"
 #include "studies/driver/provenance.hpp"
 #include "studies/driver/scene_grid_parts.hpp"
@@ -83,6 +84,35 @@ void check_regions(GridRegions const& regions, GridBox const& box) {
                                  "move it or enlarge the domain; a bare number is in SI units");
     }
   }
+}
+
+/// Whether the cell that x lies in is of the block.
+bool covers(SolidBlock const& block, GridBox const& box, Vec3 const& x) {
+  for (std::size_t d = 0; d < 3; ++d) {
+    double const at = (x[d] - box.lower[d]) / (box.upper[d] - box.lower[d]) * box.cells[d];
+    int const cell = std::clamp(static_cast<int>(at), 0, box.cells[d] - 1);
+    if (cell < block.first[d] || cell >= block.last[d]) return false;
+  }
+  return true;
+}
+
+/// A probe that a body or a block covers measures nothing there.
+std::vector<std::string> covered_probes(GridRun const& grid, GridBox const& box, OutputPlan const& output) {
+  std::vector<std::string> out;
+  for (Probe const& probe : output.probes) {
+    for (SceneBody const& body : grid.bodies) {
+      if (within(probe.position, body.whole)) {
+        out.push_back(fmt::format("output.probe: '{}' lies in the body '{}' at the start: it has no values (NaN) there",
+                                  probe.name, body.name));
+      }
+    }
+    for (std::size_t n = 0; n < grid.setup.blocks.size(); ++n) {
+      if (covers(grid.setup.blocks[n], box, probe.position)) {
+        out.push_back(fmt::format("output.probe: '{}' lies in block.{}: its values are 0 there", probe.name, n));
+      }
+    }
+  }
+  return out;
 }
 
 /// [time]: sets the end, returns the CFL number.
@@ -180,6 +210,7 @@ std::vector<SceneRun> read_grid_runs(Section const& root, SceneRun run) {
   if (grid.line && (!root.has("output") || root.need("output", "").find("origin") == nullptr)) {
     run.output.origin = grid.line->centre;
   }
+  run.output.remarks = covered_probes(grid, box, run.output);
 
   std::vector<SceneRun> runs;
   if (!grid.bodies.empty()) grid.closure = read_closure(root);
@@ -234,6 +265,7 @@ Scene read_scene(std::filesystem::path const& file, std::vector<std::string> con
   std::erase_if(std::get<Node::Table>(base.value), [](NodeEntry const& e) { return e.key == "variant"; });
   std::vector<std::string> variants{root.text("name", "main")};
   scene.runs = read_variant(reading, base, variants[0]);
+  std::vector<Node> trees{base};
   std::vector<std::string> const variant_keys{"name",   "time",    "scheme", "domain", "ambient", "region",
                                               "charge", "initial", "output", "block",  "start",   "body"};
   for (Section const& section : root.tables("variant", variant_keys)) {
@@ -247,6 +279,7 @@ Scene read_scene(std::filesystem::path const& file, std::vector<std::string> con
     Node tree = base;
     merge(tree, section.node());
     auto runs = read_variant(reading, tree, name);
+    trees.push_back(std::move(tree));
     if (runs[0].dimensions() != scene.runs[0].dimensions()) {
       throw section.error(
           "domain", fmt::format("has {} dimensions, the scene {}", runs[0].dimensions(), scene.runs[0].dimensions()),
@@ -257,11 +290,12 @@ Scene read_scene(std::filesystem::path const& file, std::vector<std::string> con
   if (slug(variants[0]).empty()) {
     throw root.error("name", "has no letter or digit", "name the run in plain letters");
   }
-  std::vector<std::string> bodies;
-  for (SceneRun const& run : scene.runs) {
-    for (std::size_t n = 0; run.grid && n < run.grid->bodies.size(); ++n) bodies.push_back(run.grid->bodies[n].name);
+  double latest = 0;
+  for (SceneRun const& run : scene.runs) latest = std::max(latest, run.end);
+  for (Node const& tree : trees) {
+    check_snapshots(Section(reading, tree, "", root_keys), scene.runs[0].dimensions(), latest);
   }
-  scene.expect = read_expectations(root, variants, scene.runs[0].dimensions(), bodies);
+  scene.expect = read_expectations(root, variants, scene.runs);
   scene.bare_numbers = reading.bare_numbers;
   return scene;
 }

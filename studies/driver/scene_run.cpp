@@ -11,6 +11,7 @@
 
 #include "studies/driver/atomic_file.hpp"
 #include "studies/driver/grid_output.hpp"
+#include "studies/driver/input_error.hpp"
 #include "studies/driver/output.hpp"
 #include "studies/driver/progress.hpp"
 #include "studies/driver/simulate.hpp"
@@ -18,7 +19,7 @@
 namespace g27 {
 namespace {
 
-volatile std::sig_atomic_t stop_requested = 0;
+volatile std::sig_atomic_t stop_requested = 0;  ///< the signal
 
 /// Ctrl-C and SIGTERM end a run at its next step with a checkpoint; a second Ctrl-C kills.
 class SignalGuard {
@@ -37,7 +38,7 @@ class SignalGuard {
 
  private:
   static void handle(int signal) {
-    stop_requested = 1;
+    stop_requested = signal;
     std::signal(signal, SIG_DFL);
   }
   void (*old_interrupt_)(int);
@@ -61,10 +62,21 @@ double weight(SceneRun const& run) {
   return static_cast<double>(x.size()) * (run.end - run.start) / smallest;
 }
 
+/// What `read` gives of a file to resume from, whose damage the user must mend.
+template <class Read>
+auto from_checkpoint(std::filesystem::path const& file, Read const& read) {
+  try {
+    return read();
+  } catch (OutputError const& damage) {
+    throw InputError(file.string(), "--resume", damage.what(),
+                     "restore the file from a copy, or start again without --resume");
+  }
+}
+
 }  // namespace
 
 bool SceneResult::holds() const {
-  return failures.empty() && !interrupted &&
+  return failures.empty() && interrupted == 0 &&
          std::all_of(judgements.begin(), judgements.end(), [](Judgement const& j) { return !j.judged || j.holds(); });
 }
 
@@ -82,7 +94,9 @@ SceneResult run_scene(Scene const& scene, SceneRunOptions const& options) {
   // what cannot be resumed is refused before anything is written
   for (SceneRun const& run : scene.runs) {
     auto const file = options.out / (run.name + ".h5");
-    if (options.resume && std::filesystem::exists(file)) check_resumable(file, scene, run);
+    if (options.resume && std::filesystem::exists(file)) {
+      from_checkpoint(file, [&] { check_resumable(file, scene, run); });
+    }
   }
 
   auto const work = [&](int threads) {
@@ -98,7 +112,7 @@ SceneResult run_scene(Scene const& scene, SceneRunOptions const& options) {
         RunRecord record(run);
         if (options.resume && std::filesystem::exists(file)) {
           std::lock_guard const lock(files);
-          record = read_run(file, scene, run);
+          record = from_checkpoint(file, [&] { return read_run(file, scene, run); });
         }
         simulate(run, record,
                  {.progress = [&](double fraction) { progress.update(i, fraction, run.name); },
@@ -115,7 +129,6 @@ SceneResult run_scene(Scene const& scene, SceneRunOptions const& options) {
           save(record);
         }
         std::lock_guard const lock(files);
-        result.interrupted = result.interrupted || !record.complete;
         result.records.emplace(run.name, std::move(record));
       } catch (RunFailure const& failure) {
         std::lock_guard const lock(files);
@@ -146,7 +159,7 @@ SceneResult run_scene(Scene const& scene, SceneRunOptions const& options) {
   if (trouble) {
     std::rethrow_exception(trouble);
   }
-  result.interrupted = result.interrupted || stop_requested;
+  result.interrupted = stop_requested;
   result.judgements = judge(scene, result.records);
   return result;
 }

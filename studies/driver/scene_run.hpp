@@ -19,7 +19,7 @@ struct SceneResult {
   std::map<std::string, RunRecord> records;     ///< by run name
   std::map<std::string, std::string> failures;  ///< message by run name
   std::vector<Judgement> judgements;
-  bool interrupted = false;
+  int interrupted = 0;  ///< the signal that stopped it
   /// every run ended and every judged expectation holds
   [[nodiscard]] bool holds() const;
 };

@@ -37,14 +37,6 @@ GasLine resumed_line(SceneRun const& run, Restart const& restart) {
   return line;
 }
 
-void add(LedgerEntry& total, LedgerEntry const& part) {
-  total.current = part.current;
-  total.through_boundary += part.through_boundary;
-  total.from_source += part.from_source;
-  total.from_floor += part.from_floor;
-  total.scale = std::max(total.scale, part.scale);
-}
-
 /// The state to resume from: totals of the earlier pieces (`before`) plus those of this line.
 Restart capture(GasLine const& line, Restart const& before) {
   Restart now = before;

@@ -5,9 +5,13 @@ usage: command_line.py SOURCE_DIR BUILD_DIR
 """
 import json
 import pathlib
+import re
+import shlex
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import xml.etree.ElementTree
 
 program = pathlib.Path(sys.argv[2]) / "g27"
@@ -45,6 +49,12 @@ for wrong in (["rnu"], ["run", "no-such-scene"], ["case", "no-such-case"], ["stu
         problems.append(f"g27 {' '.join(wrong)} prints on stdout: {done.stdout[:80]!r}")
     if not done.stderr.strip():
         problems.append(f"g27 {' '.join(wrong)} says nothing")
+
+for arguments, hint in ((["frob"], "known: run, check"), (["exact", "jwl-card", "rho0=1.65"], "1000 kg/m^3"),
+                        (["stl", "--make", "sphere"], "needs radius (of its surface)")):
+    said = run(*arguments, status=2).stderr
+    if hint not in said:
+        problems.append(f"g27 {' '.join(arguments)} does not say '{hint}': {said}")
 
 everything = run_json("list")
 if set(everything) != {"scenes", "cases", "studies", "exact", "eos", "schemes", "figures", "benchmarks"}:
@@ -87,8 +97,8 @@ with tempfile.TemporaryDirectory() as folder:
     if len(items) != 8 or not all((pathlib.Path(folder) / item.split(":")[0]).is_file() for item in items):
         problems.append(f"the XDMF file of a grid refers to {items}")
     run("run", "sod", "--out", folder, "--no-figures")
-    if (pathlib.Path(folder) / "main-linear.state").exists():
-        problems.append("a run leaves the states of an earlier one")
+    if (pathlib.Path(folder) / "main-linear.state").exists() or (pathlib.Path(folder) / "earlier").exists():
+        problems.append("a run leaves the results of an earlier one")
     # A claim that fails: status 1. The pressure at a tenth of the time is not the star pressure.
     failing = run_json("run", "sod", "--out", folder, "--no-figures", "--set", "expect.0.time=0.01 s", status=1)
     if failing.get("holds") is not False:
@@ -117,6 +127,9 @@ with tempfile.TemporaryDirectory() as folder:
     for wrong in ([holed.with_name("none.stl")], [cube, "--unit", "kg"], [cube, "--cell", "-1 mm"],
                   ["--make", "cub"], ["--make", "cube", "--set", "side=1 cm"], [cube, "--out", fine]):
         run("stl", *wrong, status=2)
+    nowhere = pathlib.Path(folder) / "nowhere" / "x.stl"
+    if str(nowhere) not in run("stl", cube, "--unit", "cm", "--remesh", "1 mm", "--out", nowhere, status=2).stderr:
+        problems.append("g27 stl does not name the file that it cannot write")
     holed.write_bytes(content[:500])
     if "truncated" not in run("stl", holed, status=2).stderr:
         problems.append("g27 stl of a truncated file does not say so")
@@ -132,10 +145,36 @@ cells = 8
 motion = "stretched"
 boundary = { left = { type = "piston", velocity = "1 km/s" }, right = "wall" }
 """)
-    run("run", squeeze, "--out", folder, "--no-figures", status=1)
+    done = run("run", squeeze, "--out", folder, "--no-figures", status=1)
+    kept = pathlib.Path(folder) / "earlier"
+    if not (kept / "main-parabolic.h5").exists() or str(kept) not in done.stderr:
+        problems.append("a run that fails does not keep the results before it, or does not say where")
+    if (pathlib.Path(folder) / "runs.csv").exists():
+        problems.append("a failed run leaves an empty table")
     capsule = pathlib.Path(folder) / "main-linear.failure.json"
     if not capsule.exists() or "stencil" not in json.loads(capsule.read_text()):
         problems.append("a failed run leaves no capsule")
+
+with tempfile.TemporaryDirectory() as folder:
+    # Ctrl-C: a checkpoint, status 130, and the command that goes on.
+    running = subprocess.Popen([program, "run", "sod", "--set", "domain.cells=8000", "--set", "expect=[]", "--no-figures",
+                                "--out", folder], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    running.stderr.readline()
+    time.sleep(0.5)
+    running.send_signal(signal.SIGINT)
+    said = running.communicate()[1]
+    command = re.search(r"to continue: g27 (.*)", said)
+    if running.returncode != 130 or not command:
+        problems.append(f"Ctrl-C gives the status {running.returncode} and says {said}")
+    else:
+        checkpoint = pathlib.Path(folder) / "main-linear.h5"
+        sound = checkpoint.read_bytes()
+        checkpoint.write_bytes(sound[:-1])
+        done = run(*shlex.split(command.group(1)), status=2)
+        if "main-linear.h5" not in done.stderr or "without --resume" not in done.stderr:
+            problems.append(f"a damaged checkpoint gives: {done.stderr}")
+        checkpoint.write_bytes(sound)
+        run(*shlex.split(command.group(1)), "--no-figures")
 
 print("\n".join(problems) or "command line in order")
 sys.exit(bool(problems))

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "scheme/grid/cell_place.hpp"
 #include "tests/catch.hpp"
 #include "verification/cases/case.hpp"
 #include "verification/cases/grid_problem.hpp"
@@ -55,8 +56,7 @@ TEST_CASE("every case on a grid runs with every scheme, stays positive and conse
       CHECK(std::fabs(r.ledger.momentum.residual()) < 1e-13);
       CHECK(std::fabs(r.ledger.energy.residual()) < 1e-13);
       REQUIRE(r.fields.has_value());
-      std::size_t const cells = static_cast<std::size_t>(r.grid[0]) * static_cast<std::size_t>(r.grid[1]) *
-                                static_cast<std::size_t>(r.grid[2]);
+      std::size_t const cells = cells_in(r.grid);
       CHECK(r.fields->density.size() == cells);
       CHECK(r.fields->cured.size() == cells);
       if (c.name != "forward-step") CHECK(all_above(r.fields->density, 0));

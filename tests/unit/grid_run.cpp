@@ -6,13 +6,10 @@
 #include <fstream>
 #include <numeric>
 
-#include "studies/driver/grid_output.hpp"
 #include "studies/driver/input_error.hpp"
-#include "studies/driver/output.hpp"
 #include "studies/driver/scene_reader.hpp"
 #include "studies/driver/scene_run.hpp"
-#include "studies/driver/simulate.hpp"
-#include "tests/catch.hpp"
+#include "tests/run_in_pieces.hpp"
 
 namespace fs = std::filesystem;
 
@@ -56,27 +53,6 @@ struct Folder {
 g27::Scene read(Folder const& folder, std::vector<std::string> const& set = {}) {
   std::ofstream(folder.path / "scene.toml") << blast;
   return g27::read_scene(folder.path / "scene.toml", set);
-}
-
-/// Runs to the end, stopping after every `steps` steps of the grid (0: never) to go through the file: the line of a
-/// first phase is never stopped, since it would start over.
-g27::RunRecord run_in_pieces(g27::Scene const& scene, fs::path const& file, int steps) {
-  g27::SceneRun const& run = scene.runs.at(0);
-  g27::RunRecord record(run);
-  for (int pieces = 0; !record.complete; ++pieces) {
-    REQUIRE(pieces < 1000);
-    int left = steps;
-    g27::RunHooks const hooks{
-        .progress = [](double) {},
-        .checkpoint = [](g27::RunRecord const&) {},
-        .checkpoint_s = 1e9,
-        .snapshot = [&](std::size_t i, g27::GridSnapshot const& s) { g27::write_grid_state(file, run, i, s); },
-        .interrupted = [&] { return steps > 0 && record.grid->begun && --left <= 0; }};
-    g27::simulate(run, record, hooks);
-    g27::write_run(file, scene, run, record, 1);
-    record = g27::read_run(file, scene, run);
-  }
-  return record;
 }
 
 void check_same_files(fs::path const& a, fs::path const& b, std::vector<std::string> const& but_not = {}) {
@@ -147,10 +123,24 @@ TEST_CASE("resuming on a grid changes no bit", "[grid-run]") {
   }
 }
 
+TEST_CASE("a damaged state is found before a run goes on", "[grid-run]") {
+  Folder const folder;
+  g27::Scene const scene = read(folder, {"time.end=0.06 s", "output.snapshots=[\"0.05 s\"]"});
+  fs::path const file = folder.path / "a.h5", state = folder.path / "a.state/0001.h5";
+  (void)run_in_pieces(scene, file, 0);
+  CHECK_NOTHROW(g27::check_resumable(file, scene, scene.runs[0]));
+  fs::resize_file(state, fs::file_size(state) - 1);
+  CHECK_THROWS_AS(g27::check_resumable(file, scene, scene.runs[0]), g27::OutputError);
+  fs::copy_file(folder.path / "a.state/0002.h5", state, fs::copy_options::overwrite_existing);
+  CHECK_THROWS_AS(g27::check_resumable(file, scene, scene.runs[0]), g27::OutputError);
+}
+
 TEST_CASE("skipping uniform tiles changes no bit", "[grid-run]") {
   Folder const folder;
-  g27::RunRecord const on = run_in_pieces(read(folder, {"time.end=0.1 s"}), folder.path / "a.h5", 0);
-  g27::RunRecord const off = run_in_pieces(read(folder, {"time.end=0.1 s", "skip=off"}), folder.path / "b.h5", 0);
+  std::vector<std::string> set{"time.end=0.1 s", "output.snapshots=[\"0.05 s\"]"};
+  g27::RunRecord const on = run_in_pieces(read(folder, set), folder.path / "a.h5", 0);
+  set.emplace_back("skip=off");
+  g27::RunRecord const off = run_in_pieces(read(folder, set), folder.path / "b.h5", 0);
   check_same_files(folder.path / "a.h5", folder.path / "b.h5", {"active_share", "stored_share"});
   CHECK(off.grid->restart.counters.cells_skipped == 0);
   g27::Saved const saved = g27::saved_by(*on.grid);

@@ -9,13 +9,10 @@
 
 #include "fsi/surface/shapes.hpp"
 #include "fsi/surface/stl_file.hpp"
-#include "studies/driver/grid_output.hpp"
 #include "studies/driver/input_error.hpp"
-#include "studies/driver/output.hpp"
 #include "studies/driver/scene_check.hpp"
 #include "studies/driver/scene_reader.hpp"
-#include "studies/driver/simulate.hpp"
-#include "tests/catch.hpp"
+#include "tests/run_in_pieces.hpp"
 
 namespace fs = std::filesystem;
 
@@ -171,26 +168,6 @@ std::vector<Mistake> const mistakes{
 };
 // clang-format on
 
-/// Runs to the end, stopping after every `steps` steps (0: never) to go through the file.
-g27::RunRecord run_in_pieces(g27::Scene const& scene, fs::path const& file, int steps) {
-  g27::SceneRun const& run = scene.runs.at(0);
-  g27::RunRecord record(run);
-  for (int pieces = 0; !record.complete; ++pieces) {
-    REQUIRE(pieces < 1000);
-    int left = steps;
-    g27::RunHooks const hooks{
-        .progress = [](double) {},
-        .checkpoint = [](g27::RunRecord const&) {},
-        .checkpoint_s = 1e9,
-        .snapshot = [&](std::size_t i, g27::GridSnapshot const& s) { g27::write_grid_state(file, run, i, s); },
-        .interrupted = [&] { return steps > 0 && --left <= 0; }};
-    g27::simulate(run, record, hooks);
-    g27::write_run(file, scene, run, record, 1);
-    record = g27::read_run(file, scene, run);
-  }
-  return record;
-}
-
 /// Every data set of two groups is the same, NaN like NaN.
 void check_same(g27::Hdf5Reader const& a, g27::Hdf5Reader const& b, std::string const& group) {
   for (std::string const& name : a.names(group)) {
@@ -287,8 +264,9 @@ TEST_CASE("a run with bodies is resumed bit by bit, and its files are complete",
   Folder const folder;
   for (std::string const closure : {"false", "true"}) {
     INFO("closure " << closure);
-    g27::Scene const scene =
-        read(folder, {"scheme.closure=" + closure, "time.end=" + std::string(closure == "true" ? "3 us" : "4 us")});
+    g27::Scene const scene = read(
+        folder,
+        {"scheme.closure=" + closure, "time.end=" + std::string(closure == "true" ? "3 us" : "4 us"), "expect=[]"});
     g27::RunRecord const whole = run_in_pieces(scene, folder.path / "a.h5", 0);
     g27::RunRecord const pieces = run_in_pieces(scene, folder.path / "b.h5", 5);
     CHECK(whole.counters().steps > 15);  // at least four pieces
@@ -327,6 +305,15 @@ TEST_CASE("a run with bodies is resumed bit by bit, and its files are complete",
     CHECK(a.number_attribute("/ledger/body/cube/momentum_x", "through_contact") == impulse);
     CHECK(a.number_attribute("/ledger/momentum_x", "through_contact") == -impulse);
   }
+}
+
+TEST_CASE("a probe in a body is remarked on", "[scene]") {
+  Folder const folder;
+  auto const remarks = [&](std::vector<std::string> const& set) { return g27::remarks_on(read(folder, set)); };
+  auto const before = remarks({});
+  auto const after = remarks({"output.probe.0.position=[\"1.6 cm\", \"1.6 cm\", \"1.6 cm\"]"});
+  REQUIRE(after.size() == before.size() + 1);
+  CHECK(after.back().find("'gas' lies in the body 'cube'") != std::string::npos);
 }
 
 TEST_CASE("every data set that the XDMF of a run with bodies names is there", "[grid-run]") {

@@ -205,11 +205,14 @@ std::vector<Mistake> const mistakes{
     // output, expectations, variants
     {"snapshots = [\"0.5 ms\"]", "snapshots = [\"0.5 ms\", \"0.1 ms\"]", "output.snapshots", "do not increase", "sort"},
     {"threshold = \"2 bar\"", "threshold = \"0 bar\"", "output.threshold", "not positive", "> 0"},
+    {"snapshots = [\"0.5 ms\"]", "snapshots = [\"0.5 ms\", \"2 ms\"]", "output.snapshots", "0.002 s is after the end at 0.001 s", "time.end later"},
     {"position = \"0.5 m\"", "position = \"-0.5 m\"", "output.probe.0.position", "outside", "choose it"},
     {"quantity = \"probe_pressure\"", "quantity = \"probe_presure\"", "expect.0.quantity", "'probe_presure'", "'probe_pressure'"},
     {"probe = \"mid\"", "probe = \"end\"", "expect.0.probe", "'end' is not", "one of the probes"},
     {"time = \"1 ms\"\n", "", "expect.0.time", "is needed", "add time"},
     {"time = \"1 ms\"\n", "time = \"1 ms\"\nafter = \"1 ms\"\n", "expect.0.after", "is not used", "remove after"},
+    {"time = \"1 ms\"\n", "time = \"2 ms\"\n", "expect.0.time", "0.002 s is after the end of 'main' at 0.001 s", "time.end later"},
+    {"quantity = \"probe_pressure\"\nprobe = \"mid\"\ntime = \"1 ms\"", "quantity = \"wall_impulse\"\nafter = \"2 ms\"", "expect.0.after", "0.002 s is longer than 'main'", "time.end later"},
     {"value = \"0.3 bar\"", "value = \"0.3 m\"", "expect.0.value", "not a pressure", "1 bar"},
     {"tolerance = \"5 %\"", "tolerance = \"0 %\"", "expect.0.tolerance", "not positive", "1 %"},
     {"tolerance = \"5 %\"", "tolerance = \"5 %\"\nvariant = \"other\"", "expect.0.variant", "'other'", "main"},
@@ -328,6 +331,24 @@ TEST_CASE("a malformed scene is refused with file, key and remedy", "[scene]") {
 
 TEST_CASE("a malformed scene on a grid is refused with file, key and remedy", "[scene]") {
   check_mistakes(grid_mistakes, valid_grid);
+}
+
+TEST_CASE("a probe in a block is remarked on", "[scene]") {
+  TemporaryScene const file(valid_grid);
+  CHECK(g27::remarks_on(g27::read_scene(file.path(), {})).empty());
+  auto const remarks =
+      g27::remarks_on(g27::read_scene(file.path(), {"output.probe.0.position=[\"0.6 m\", \"0.1 m\", \"0.1 m\"]"}));
+  REQUIRE(remarks.size() == 1);
+  CHECK(remarks[0].find("'mid' lies in block.0") != std::string::npos);
+}
+
+TEST_CASE("snapshots may be those of a longer variant", "[scene]") {
+  std::string const text = edited("snapshots = [\"0.5 ms\"]", "snapshots = [\"0.5 ms\", \"2 ms\"]") +
+                           "[[variant]]\nname = \"long\"\ntime = { end = \"3 ms\" }\n";
+  TemporaryScene const file(text);
+  g27::Scene const scene = g27::read_scene(file.path(), {});
+  CHECK(scene.runs.at(0).output.snapshots == std::vector<double>{0, 0.5e-3, 1e-3});
+  CHECK(scene.runs.at(1).output.snapshots == std::vector<double>{0, 0.5e-3, 2e-3, 3e-3});
 }
 
 TEST_CASE("averages of cells that a ball cuts are means over points", "[scene]") {

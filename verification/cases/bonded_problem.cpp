@@ -6,6 +6,7 @@
 #include "verification/cases/grid_run.hpp"
 #include "verification/cases/line_problem.hpp"
 #include "verification/cases/run_facts.hpp"
+#include "verification/cases/solid_line_problem.hpp"
 #include "verification/cases/solid_problem.hpp"
 #include "verification/measure/norms.hpp"
 
@@ -15,16 +16,11 @@ namespace {
 
 SolidLineSetup setup_of(BondedProblem::Side const& side, bool left, int cells, CaseOptions const& options) {
   SolidBoundary const contact{.kind = SolidBoundary::Kind::contact};
-  SolidLineSetup setup{.material = side.medium.scheme,
-                       .faces = mesh_faces("uniform", left ? -side.length : 0, left ? 0 : side.length, cells),
-                       .left = left ? side.outer : contact,
-                       .right = left ? contact : side.outer,
-                       .options = {}};
-  SolidSchemeOptions& o = setup.options;
-  o.predictor = options.predictor.value_or(Predictor::linear);
-  o.monotonicity = options.monotonicity.value_or(Switch::graded);
-  o.cfl = options.cfl.value_or(0);
-  return setup;
+  return {.material = side.medium.scheme,
+          .faces = mesh_faces("uniform", left ? -side.length : 0, left ? 0 : side.length, cells),
+          .left = left ? side.outer : contact,
+          .right = left ? contact : side.outer,
+          .options = solid_line_options(options)};
 }
 
 /// What was measured on the bonded face, step by step.

@@ -7,6 +7,7 @@
 #include "scheme/step/solid_state.hpp"
 #include "verification/cases/grid_run.hpp"
 #include "verification/cases/run_facts.hpp"
+#include "verification/cases/solid_line_problem.hpp"
 #include "verification/cases/solid_problem.hpp"
 #include "verification/measure/norms.hpp"
 
@@ -31,16 +32,11 @@ GasLineSetup gas_setup(FsiProblem const& p, int cells, CaseOptions const& option
 }
 
 SolidLineSetup solid_setup(FsiProblem const& p, int cells, CaseOptions const& options) {
-  SolidLineSetup setup{.material = p.solid,
-                       .faces = mesh_faces("uniform", p.contact, p.x1, cells),
-                       .left = {.kind = SolidBoundary::Kind::contact},
-                       .right = p.right,
-                       .options = {}};
-  SolidSchemeOptions& o = setup.options;
-  o.predictor = options.predictor.value_or(Predictor::linear);
-  o.monotonicity = options.monotonicity.value_or(Switch::graded);
-  o.cfl = options.cfl.value_or(0);
-  return setup;
+  return {.material = p.solid,
+          .faces = mesh_faces("uniform", p.contact, p.x1, cells),
+          .left = {.kind = SolidBoundary::Kind::contact},
+          .right = p.right,
+          .options = solid_line_options(options)};
 }
 
 /// What was measured at the contact, step by step.

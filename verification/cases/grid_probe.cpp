@@ -3,16 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scheme/grid/cell_place.hpp"
+
 namespace g27 {
 
-double GridProbe::cell(Int3 const& at) const {
-  Int3 const n = grid_.cells();
-  auto const index =
-      static_cast<std::size_t>(at[0]) +
-      static_cast<std::size_t>(n[0]) *
-          (static_cast<std::size_t>(at[1]) + static_cast<std::size_t>(n[1]) * static_cast<std::size_t>(at[2]));
-  return values_[index];
-}
+double GridProbe::cell(Int3 const& at) const { return values_[cell_number(grid_.cells(), at)]; }
 
 double GridProbe::at(Vec3 const& x) const {
   Int3 const n = grid_.cells();

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "scheme/grid/cell_place.hpp"
 #include "scheme/step/gas_grid.hpp"
 #include "verification/cases/case.hpp"
 
@@ -19,15 +20,6 @@ inline void require_end(double t_end) {
 
 /// Of a grid; without overflow.
 inline double count_of(Int3 const& cells) { return 1.0 * cells[0] * cells[1] * cells[2]; }
-
-template <class F>
-void for_each_cell(Int3 const& cells, F const& f) {
-  for (int k = 0; k < cells[2]; ++k) {
-    for (int j = 0; j < cells[1]; ++j) {
-      for (int i = 0; i < cells[0]; ++i) f(Int3{i, j, k});
-    }
-  }
-}
 
 /// Steps while `more`, not beyond t_end, and calls `after` with the length of each step; throws when one fails, or when
 /// there is no end: an unstable run stalls at ever smaller steps.

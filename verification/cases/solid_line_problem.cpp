@@ -10,6 +10,12 @@
 
 namespace g27 {
 
+SolidSchemeOptions solid_line_options(CaseOptions const& options) {
+  return {.predictor = options.predictor.value_or(Predictor::linear),
+          .monotonicity = options.monotonicity.value_or(Switch::graded),
+          .cfl = options.cfl.value_or(0)};
+}
+
 CaseResult run_problem(std::string const& name, int cells, SolidLineProblem const& problem,
                        CaseOptions const& options) {
   int const n = options.cells.value_or(cells);
@@ -20,12 +26,7 @@ CaseResult run_problem(std::string const& name, int cells, SolidLineProblem cons
                        .symmetry = problem.symmetry,
                        .left = problem.left,
                        .right = problem.right,
-                       .options = {}};
-  SolidSchemeOptions& o = setup.options;
-  o.predictor = options.predictor.value_or(Predictor::linear);
-  o.monotonicity = options.monotonicity.value_or(Switch::graded);
-  o.cfl = options.cfl.value_or(0);
-  o.threads = options.threads.value_or(1);
+                       .options = solid_line_options(options)};
   SolidLine line(std::move(setup));
   line.set_state(problem.initial, 5);
 

@@ -20,6 +20,9 @@ struct SolidLineProblem {
   std::function<void(SolidLine const& line, CaseResult& result)> measure{};
 };
 
+/// What the options of a case say of the scheme on a line.
+SolidSchemeOptions solid_line_options(CaseOptions const& options);
+
 /// Runs the problem; throws std::runtime_error when a step fails. The result has a profile, and no errors.
 CaseResult run_problem(std::string const& name, int cells, SolidLineProblem const& problem, CaseOptions const& options);
 

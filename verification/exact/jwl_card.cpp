@@ -10,7 +10,6 @@ namespace g27 {
 namespace {
 
 using Card = JwlCard;
-constexpr std::size_t equations = 4;
 
 /// Relative residuals of the four equations.
 void residuals(std::array<double, Card::count> const& q, double* out) {
@@ -95,14 +94,13 @@ CompletedJwlCard complete(PartialJwlCard const& all) {
     return static_cast<std::size_t>(
         std::count_if(known.begin(), known.end(), [](auto const& x) { return x.has_value(); }));
   };
-  std::size_t const needed = Card::count - equations;
-  if (count() < needed)
-    throw NumericsError("a card needs " + std::to_string(needed) + " of its ten numbers, " + std::to_string(count()) +
-                        " are given");
+  if (count() < Card::needed)
+    throw NumericsError("a card needs " + std::to_string(Card::needed) + " of its ten numbers, " +
+                        std::to_string(count()) + " are given");
   CompletedJwlCard out;
   for (Card::Entry const extra : {Card::E0, Card::p_CJ, Card::D, Card::C}) {
     bool const free = extra != Card::D || known[Card::rho0].has_value();
-    if (count() > needed && known[extra] && free) {
+    if (count() > Card::needed && known[extra] && free) {
       out.checks.push_back({extra, *known[extra], 0});
       known[extra].reset();
     }

@@ -17,6 +17,8 @@ struct JwlCard {
   enum Entry : std::size_t { A, B, C, R1, R2, omega, rho0, D, p_CJ, E0, V_CJ, count };
   std::array<double, count> value{};  ///< SI; V_CJ = rho0/rho of the products
 
+  static constexpr std::size_t equations = 4;
+  static constexpr std::size_t needed = count - equations;  ///< numbers that give the others
   static constexpr std::array<char const*, count> names{"A",    "B", "C",    "R1", "R2",  "omega",
                                                         "rho0", "D", "p_CJ", "E0", "V_CJ"};
 };

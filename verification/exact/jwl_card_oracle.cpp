@@ -13,6 +13,12 @@ OracleRecord solve(OracleArguments const& arguments) {
   for (std::size_t i = 0; i < known.size(); ++i) {
     if (given(arguments, JwlCard::names[i])) known[i] = positive_number(arguments, JwlCard::names[i]);
   }
+  constexpr double lightest = 50;  // kg/m^3: below, it was meant in g/cm^3
+  if (known[JwlCard::rho0].value_or(lightest) < lightest) {
+    char text[80];
+    std::snprintf(text, sizeof text, "%g kg/m^3 is no density of an explosive", *known[JwlCard::rho0]);
+    throw OracleError{"rho0", text, "give it in kg/m^3: 1 g/cm^3 is 1000 kg/m^3"};
+  }
   double const tolerance = positive_number(arguments, "tolerance");
   std::string missing;
   std::size_t count = 0;
@@ -20,9 +26,10 @@ OracleRecord solve(OracleArguments const& arguments) {
     if (known[i]) ++count;
     if (!known[i]) missing += std::string(missing.empty() ? "" : ", ") + JwlCard::names[i];
   }
-  if (count < 7) {
-    throw OracleError{"card", std::to_string(count) + " of its ten numbers are given, it needs seven",
-                      std::to_string(7 - count) + " more of " + missing};
+  if (count < JwlCard::needed) {
+    throw OracleError{
+        "card", std::to_string(count) + " of its ten numbers are given, it needs " + std::to_string(JwlCard::needed),
+        std::to_string(JwlCard::needed - count) + " more of " + missing};
   }
   CompletedJwlCard const done = complete(known);
   double worst = 0;
