@@ -146,6 +146,20 @@ void take_charge(Charge const& charge, SceneRun& run) {
   }
 }
 
+/// The grids at a body's surface know no burn.
+void keep_from_charge(Charge const& charge, std::vector<SceneBody> const& bodies, double cell) {
+  for (SceneBody const& body : bodies) {
+    TriangleSurface const& surface = body.whole;
+    bool const near =
+        within(charge.centre, surface) || distance(charge.centre, surface) < charge.radius + side_gap_cells * cell;
+    if (charge.burn.there() && near) {
+      throw charge.section.error(
+          "start", fmt::format("is ignition, and '{}' is within {} cells of the charge", body.name, side_gap_cells),
+          "start at breakout, or move the body away");
+    }
+  }
+}
+
 /// One dimension.
 std::vector<SceneRun> read_line_runs(Section const& root, SceneRun run) {
   for (char const* key : {"block", "start", "body"}) {
@@ -203,6 +217,7 @@ std::vector<SceneRun> read_grid_runs(Section const& root, SceneRun run) {
   grid.initial = make_initial(regions.list, grid.setup.eos, dimensions);
   grid.point = make_point_initial(regions.list);
   grid.bodies = read_bodies(root, grid.setup, grid.point);
+  if (regions.charge) keep_from_charge(*regions.charge, grid.bodies, (box.upper[0] - box.lower[0]) / box.cells[0]);
   grid.line = read_line_start(root, regions, grid, run.start, run.end);
   std::vector<std::string> names;
   for (SceneBody const& body : grid.bodies) names.push_back(body.name);
