@@ -34,8 +34,13 @@ class GasSide {
     LaneRows<5> q;
     LaneRows<2> at;  ///< pressure and normal velocity
   };
+  /// The cell beyond the contact: the gas continued through the state there.
+  void continue_beyond(std::array<double, model_lanes> const& pressure) noexcept;
+  /// Lanes in which a strong shock lies between the contact and the third layer.
+  bool shocks(std::array<double, model_lanes> const& pressure, bool* in_shock) const noexcept;
   void put(std::size_t lane, int i, int j, int k, GasFields const& q);
   void term_of(int i, int j, int k, double dt, std::array<Terms*, 3> const& out);
+  /// Where both far cells are known the switch is that of the grid.
   void faces(int axis, std::array<int, 3> cell, bool far_left, bool far_right, Terms const* left, Terms const* right,
              double dt, bool first_order, Flux& out);
   /// Layer, and the cell of it: 0 the centre, 1 2 its neighbours along a, 3 4 along b.

@@ -6,6 +6,7 @@
 /// grids, by the same kernels: predictor, Riemann problems, transverse terms, corrector. Many problems are solved
 /// together, one in each lane of a row.
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "fsi/overset/fields.hpp"
@@ -20,10 +21,11 @@ struct ModelStencil {
   template <class Fields>
   using Cells = std::array<std::array<std::array<Fields, 3>, 3>, 3>;
   Cells<GasFields> gas;
-  Cells<SolidFields> solid;         ///< lateral cells outside of the body carry its traction condition
-  Cells<SolidFields> solid_smooth;  ///< the same with those cells continued smoothly, for derivatives
-  Cells<bool> solid_ghost;          ///< which those are
-  Vec3 velocity{0, 0, 0};           ///< of the contact in the last step, along the frame's axes [m/s]
+  std::optional<GasFields> gas_fourth{};  ///< one more along the normal: what the switch sees; left out: as the third
+  Cells<SolidFields> solid;               ///< lateral cells outside of the body carry its traction condition
+  Cells<SolidFields> solid_smooth;        ///< the same with those cells continued smoothly, for derivatives
+  Cells<bool> solid_ghost;                ///< which those are
+  Vec3 velocity{0, 0, 0};                 ///< of the contact in the last step, along the frame's axes [m/s]
 };
 
 struct ModelResult {

@@ -127,6 +127,10 @@ ModelStencil Body::stencil(std::size_t triangle) const {
       s.solid[k][a][b] = into_frame(f, solid_near.at(in_layer(k, -h, a, b), t.solid[0]));
     }
   });
+  Vec3 const fourth = in_layer(3, h_gas, 1, 1);
+  if (gas.kinds.in_medium(fourth)) {
+    s.gas_fourth = into_frame(f, gas.donors.at(fourth, Donors<GasFields>::From::valid, t.gas[1]));
+  }
   if (whole) {
     s.solid_smooth = s.solid;
     return s;
