@@ -11,7 +11,8 @@ enum class CellKind : unsigned char {
   foreign,  ///< the centre lies in the other medium, and no triangle crosses the cell
   cut,      ///< a triangle crosses it
   shallow,  ///< of the medium, beside a cell that is not: its state is interpolated
-  deep      ///< all of its 26 neighbours are of the medium: the grid's own scheme updates it
+  deep      ///< all of its 26 neighbours are of the medium, and it is not one of those that cores compute as well: the
+            ///< grid's own scheme updates it
 };
 
 /// Uniform cells of one width.
@@ -102,6 +103,7 @@ class CellKinds {
   void mark_cut();
   void mark_sides();
   void mark_depth();
+  void leave_to_cores();
   void reflect_kinds();
 
   WindowBox box_;
