@@ -10,7 +10,7 @@ namespace g27 {
 
 struct OversetSetup {
   GasGridSetup gas;  ///< of equal widths along the three axes
-  std::vector<BodySetup> bodies;
+  std::vector<BodySetup> bodies{};
   SolidSchemeOptions solid_options{};
   ModelOptions local{};  ///< of the model problems
   Remeshing remeshing{};
