@@ -241,6 +241,23 @@ void read_probe(Section const& section, Extent const& extent, OutputPlan& plan) 
 
 }  // namespace
 
+void check_probes_seen(Section const& root, std::vector<SceneRun> const& runs) {
+  if (!root.has("output")) {
+    return;
+  }
+  Section const output = root.table("output", output_keys(runs[0].dimensions()));
+  for (Section const& probe : output.tables("probe", {"name", "position", "body", "face"})) {
+    bool const seen = probe.has("body") || std::any_of(runs.begin(), runs.end(), [&](SceneRun const& run) {
+                        auto const& probes = run.output.probes;
+                        return std::any_of(probes.begin(), probes.end(),
+                                           [&](Probe const& p) { return p.name == probe.text("name"); });
+                      });
+    if (!seen) {
+      throw probe.error("position", "lies outside the domain of every run", "choose it within the domain");
+    }
+  }
+}
+
 OutputPlan read_output(Section const& root, double start, double end, Extent const& extent) {
   OutputPlan plan;
   int const dimensions = extent.dimensions;

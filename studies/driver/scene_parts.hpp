@@ -63,6 +63,9 @@ OutputPlan read_output(Section const& root, double start, double end, Extent con
 /// Snapshots after `latest` are a slip: no run of the scene gets there.
 void check_snapshots(Section const& root, int dimensions, double latest);
 
+/// Throws for a probe that lies in the domain of no run.
+void check_probes_seen(Section const& root, std::vector<SceneRun> const& runs);
+
 /// [[expect]] of the runs of a scene.
 std::vector<Expectation> read_expectations(Section const& root, std::vector<std::string> const& variants,
                                            std::vector<SceneRun> const& runs);

@@ -310,6 +310,7 @@ Scene read_scene(std::filesystem::path const& file, std::vector<std::string> con
   for (Node const& tree : trees) {
     check_snapshots(Section(reading, tree, "", root_keys), scene.runs[0].dimensions(), latest);
   }
+  check_probes_seen(root, scene.runs);
   scene.expect = read_expectations(root, variants, scene.runs);
   scene.bare_numbers = reading.bare_numbers;
   return scene;

@@ -87,6 +87,9 @@ def history(axis, runs):
 def main():
     *sources, out = sys.argv[1:]
     runs = [h5py.File(source, "r") for source in sources]
+    for source, run in zip(sources, runs):
+        if "faces" not in run["state"][min(run["state"])]:
+            sys.exit(f"{source}: results of a grid: draw scene-nd or scene-bodies")
     figure, axes = plt.subplots(2, 3, figsize=(13, 7), constrained_layout=True)
     figure.suptitle(f"{text(runs[0]['run'].attrs['title'])}\n{text(runs[0]['run'].attrs['variant'])}", fontsize=11)
     profiles(axes[0], runs)

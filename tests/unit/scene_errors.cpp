@@ -207,6 +207,7 @@ std::vector<Mistake> const mistakes{
     {"threshold = \"2 bar\"", "threshold = \"0 bar\"", "output.threshold", "not positive", "> 0"},
     {"snapshots = [\"0.5 ms\"]", "snapshots = [\"0.5 ms\", \"2 ms\"]", "output.snapshots", "0.002 s is after the end at 0.001 s", "time.end later"},
     {"position = \"0.5 m\"", "position = \"-0.5 m\"", "output.probe.0.position", "outside", "choose it"},
+    {"position = \"0.5 m\"", "position = \"1.5 m\"", "output.probe.0.position", "of every run", "choose it"},
     {"quantity = \"probe_pressure\"", "quantity = \"probe_presure\"", "expect.0.quantity", "'probe_presure'", "'probe_pressure'"},
     {"probe = \"mid\"", "probe = \"end\"", "expect.0.probe", "'end' is not", "one of the probes"},
     {"time = \"1 ms\"\n", "", "expect.0.time", "is needed", "add time"},
@@ -276,6 +277,7 @@ std::vector<Mistake> const grid_mistakes{
     // output, expectations, variants
     {"position = [\"0.5 m\", \"0.5 m\", \"0.1 m\"]", "position = \"0.5 m\"", "output.probe.0.position", "not a list", "write ["},
     {"position = [\"0.5 m\", \"0.5 m\", \"0.1 m\"]", "position = [\"0.5 m\", \"-0.5 m\", \"0.1 m\"]", "output.probe.0.position", "outside", "choose it"},
+    {"position = [\"0.5 m\", \"0.5 m\", \"0.1 m\"]", "position = [\"0.5 m\", \"3 m\", \"0.1 m\"]", "output.probe.0.position", "of every run", "choose it"},
     {"threshold = \"2 bar\"", "threshold = \"2 bar\"\nmap = 20", "output.map", "unknown key", "probe"},
     {"axis = \"diagonal\"", "axis = \"w\"", "expect.0.axis", "'w'", "diagonal"},
     {"axis = \"diagonal\"\n", "", "expect.0.axis", "missing", "add axis"},
