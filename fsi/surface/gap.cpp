@@ -75,4 +75,8 @@ bool within(Vec3 const& x, TriangleSurface const& surface) noexcept {
   return angle > 2 * std::numbers::pi;
 }
 
+double distance_to_body(Vec3 const& x, TriangleSurface const& surface) noexcept {
+  return within(x, surface) ? 0.0 : distance(x, surface);
+}
+
 }  // namespace g27

@@ -17,4 +17,7 @@ double gap_between(TriangleSurface const& a, TriangleSurface const& b, double en
 /// Whether a point lies within a closed surface.
 bool within(Vec3 const& x, TriangleSurface const& surface) noexcept;
 
+/// Distance of a point to the body in a closed surface [m]; 0 within.
+double distance_to_body(Vec3 const& x, TriangleSurface const& surface) noexcept;
+
 }  // namespace g27

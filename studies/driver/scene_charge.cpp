@@ -82,8 +82,7 @@ void light(Charge& charge, AnyEos const& eos, double density, double energy, dou
 
 Charge read_charge(Section const& given, AnyEos const& eos, Symmetry symmetry, int dimensions) {
   bool const lit = given.choice("start", {"breakout", "ignition"}, 0) == 1;
-  std::vector<std::string> keys = charge_keys(dimensions, lit);
-  Charge charge{.state = {}, .section = given.reopened(std::move(keys))};
+  Charge charge{.state = {}, .section = given.reopened(charge_keys(dimensions, lit))};
   Section const& section = charge.section;
   charge.radius = section.positive("radius", dimension::length);
   if (dimensions > 1) {
@@ -91,22 +90,24 @@ Charge read_charge(Section const& given, AnyEos const& eos, Symmetry symmetry, i
   }
   double const density = section.positive("density", dimension::density);
   double const energy = section.positive("energy", energy_density);
+  double speed = 0;
   try {
     auto const products = exact_law(eos);
     auto const front = chapman_jouguet(products, density, energy);
-    if (lit) {
-      light(charge, eos, density, energy, front.D, read_ignition(section, charge, dimensions));
-    } else {
+    speed = front.D;
+    if (!lit) {
       auto const wave = std::make_shared<TaylorWave>(products, front, static_cast<int>(symmetry));
-      charge.begin = charge.radius / front.D;
+      charge.begin = charge.radius / speed;
       charge.state = [wave, radius = charge.radius](double x) { return wave->at(std::fabs(x) / radius); };
-      check_admissible(section, eos, charge.state(0));
     }
-  } catch (InputError const&) {
-    throw;
   } catch (std::exception const& failure) {
     throw section.error("energy", fmt::format("no detonation wave follows from it: {}", failure.what()),
                         "check density, energy and the equation of state (jwl or ideal)");
+  }
+  if (lit) {
+    light(charge, eos, density, energy, speed, read_ignition(section, charge, dimensions));
+  } else {
+    check_admissible(section, eos, charge.state(0));
   }
   return charge;
 }

@@ -63,7 +63,7 @@ double distance_to_bodies(Section const& section, std::vector<SceneBody> const& 
       throw section.error("", fmt::format("needs bodies at rest, but '{}' moves", body.name),
                           "remove [start], or the body's velocity and spin");
     }
-    nearest = within(centre, surface) ? 0.0 : std::min(nearest, distance(centre, surface));
+    nearest = std::min(nearest, distance_to_body(centre, surface));
   }
   return nearest;
 }

@@ -148,11 +148,11 @@ void take_charge(Charge const& charge, SceneRun& run) {
 
 /// The grids at a body's surface know no burn.
 void keep_from_charge(Charge const& charge, std::vector<SceneBody> const& bodies, double cell) {
+  if (!charge.burn.there()) {
+    return;
+  }
   for (SceneBody const& body : bodies) {
-    TriangleSurface const& surface = body.whole;
-    bool const near =
-        within(charge.centre, surface) || distance(charge.centre, surface) < charge.radius + side_gap_cells * cell;
-    if (charge.burn.there() && near) {
+    if (distance_to_body(charge.centre, body.whole) < charge.radius + side_gap_cells * cell) {
       throw charge.section.error(
           "start", fmt::format("is ignition, and '{}' is within {} cells of the charge", body.name, side_gap_cells),
           "start at breakout, or move the body away");
