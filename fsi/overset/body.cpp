@@ -8,6 +8,7 @@ namespace g27 {
 namespace {
 
 constexpr int margin = 4;  ///< cells of a window beyond the box that the body stays in
+constexpr Int3 body_tile{16, 8, 8};  ///< of a body's grid: small, since only tiles with cells of the body are computed
 
 }  // namespace
 
@@ -78,6 +79,7 @@ SolidGridSetup grid_setup(BodySetup const& s, Mirrors const& cut, SolidSchemeOpt
                        .sides = {},
                        .source = {},
                        .options = options};
+  if (setup.options.tile[0] <= 0) setup.options.tile = body_tile;
   for (std::size_t a = 0; a < 3; ++a) {
     setup.upper[a] = box.lower[a] + box.grid[a] * box.h;
     if (cut.low[a]) setup.sides[2 * a].kind = SolidBoundary::Kind::symmetry;

@@ -101,10 +101,27 @@ struct OversetSolver::Impl {
   void classify() {
     std::vector<TriangleSurface const*> all;
     for (auto const& b : bodies) all.push_back(&b->surface);
-    for (auto const& b : bodies) {
-      TriangleSurface const* const own = &b->surface;
-      b->gas.kinds.classify(all), b->solid.kinds.classify(std::span(&own, 1));
+#pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
+    for (std::size_t n = 0; n < 2 * bodies.size(); ++n) {
+      Body& b = *bodies[n / 2];
+      TriangleSurface const* const own = &b.surface;
+      if (n % 2 == 0) {
+        b.gas.kinds.classify(all);
+      } else {
+        b.solid.kinds.classify(std::span(&own, 1));
+      }
     }
+    for (auto const& b : bodies) compute_deep_cells(*b);
+  }
+
+  /// The grid of a body computes what its scheme updates: the rest of its window, where there is no body, costs nothing.
+  static void compute_deep_cells(Body& b) {
+    std::vector<Int3> deep;
+    CellKinds const& kinds = b.solid.kinds;
+    for (std::size_t i = 0; i < kinds.count(); ++i) {
+      if (kinds.kind(i) == CellKind::deep && !kinds.is_image(i)) deep.push_back(kinds.in_grid(kinds.cell(i)));
+    }
+    b.grid.compute_only(deep);
   }
 
   void begin() {
@@ -195,7 +212,7 @@ struct OversetSolver::Impl {
       auto const& b = bodies[n];
       std::vector<Int3> cells;
       std::vector<GasDensities> gas_averages;
-      fill(b->gas, started, b->ambient, cells,
+      fill(b->gas, started, b->ambient, [](Int3 const&) { return true; }, cells,
            [&](GasFields const& q) { gas_averages.push_back(densities_of(setup.gas.eos, q)); });
       gas.replace(cells, gas_averages);
       if (!started && sleeping[n] != 0) continue;
@@ -206,7 +223,7 @@ struct OversetSolver::Impl {
         mean = mean + (1.0 / static_cast<double>(b->triangles.size())) * t.velocity;
       for (std::size_t a = 0; a < 3; ++a)
         b->background[solid_field_of::u + a] = b->cut.mirrors.across(a) ? 0.0 : mean[a];
-      fill(b->solid, started, b->background, cells,
+      fill(b->solid, started, b->background, [&](Int3 const& c) { return b->grid.computes(c); }, cells,
            [&](SolidFields const& q) { solid_averages.push_back(densities_of(q)); });
       b->grid.replace(cells, solid_averages);
     }
@@ -229,8 +246,10 @@ struct OversetSolver::Impl {
     set_clouds();
   }
 
-  template <class Fields, class Put>
-  void fill(Region<Fields>& region, bool started, Fields const& still, std::vector<Int3>& cells, Put const& put) {
+  /// `computed`: whether a cell of the grid's is read or stepped at all where it is neither of the medium nor beside it.
+  template <class Fields, class Computed, class Put>
+  void fill(Region<Fields>& region, bool started, Fields const& still, Computed const& computed,
+            std::vector<Int3>& cells, Put const& put) {
     using From = typename Donors<Fields>::From;
     CellKinds const& kinds = region.kinds;
     std::vector<std::size_t> wanted, fringe;
@@ -240,8 +259,8 @@ struct OversetSolver::Impl {
         if (!started && kinds.kind_before(i) != CellKind::deep) wanted.push_back(i);
       } else if (kinds.fringe(i)) {
         fringe.push_back(i);
-      } else {
-        cells.push_back(kinds.in_grid(kinds.cell(i))), put(still);
+      } else if (Int3 const c = kinds.in_grid(kinds.cell(i)); computed(c)) {
+        cells.push_back(c), put(still);
       }
     }
     std::vector<Fields> filled(wanted.size());

@@ -101,7 +101,14 @@ void CellKinds::classify(std::span<TriangleSurface const* const> surfaces) {
   std::fill(kinds_.begin(), kinds_.end(), CellKind::foreign);
   for (auto& c : columns_) c.clear();
   lids_.clear();
+  near_first_ = box_.size, near_last_ = {-1, -1, -1};
   for (TriangleSurface const* s : surfaces_) {
+    auto const [lower, upper] = bounding_box(*s);
+    Int3 const first = cell_of(lower), last = cell_of(upper);
+    for (std::size_t a = 0; a < 3; ++a) {
+      near_first_[a] = std::max(0, std::min(near_first_[a], first[a] - 1));
+      near_last_[a] = std::min(box_.size[a] - 1, std::max(near_last_[a], last[a] + 1));
+    }
     double area = 0;  // of the lid that is missing, along its inward normal
     for (std::size_t t = 0; t < s->size(); ++t) area += s->area_vector(t)[0];
     lids_.push_back(area > 0 ? box_.mirrors.lower[0] : box_.mirrors.upper[0]);
@@ -167,12 +174,15 @@ void CellKinds::crossings(int j, int k, double y, double z, std::vector<double>&
 
 void CellKinds::mark_sides() {
   std::vector<double> crossed;
-  for (int k = 0; k < box_.size[2]; ++k) {
-    for (int j = 0; j < box_.size[1]; ++j) {
+  // what is inside is near; what is outside is everywhere
+  Int3 const first = inside_ ? near_first_ : Int3{0, 0, 0};
+  Int3 const last = inside_ ? near_last_ : Int3{box_.size[0] - 1, box_.size[1] - 1, box_.size[2] - 1};
+  for (int k = first[2]; k <= last[2]; ++k) {
+    for (int j = first[1]; j <= last[1]; ++j) {
       Vec3 const c = centre({0, j, k});
       crossings(j, k, c[1], c[2], crossed);
       std::size_t passed = 0;
-      for (int i = 0; i < box_.size[0]; ++i) {
+      for (int i = first[0]; i <= last[0]; ++i) {
         double const x = centre({i, j, k})[0];
         while (passed < crossed.size() && crossed[passed] < x) ++passed;
         CellKind& kind = kinds_[static_cast<std::size_t>(index({i, j, k}))];
@@ -184,9 +194,9 @@ void CellKinds::mark_sides() {
 
 void CellKinds::mark_depth() {
   std::fill(fringe_.begin(), fringe_.end(), 0);
-  for (std::size_t i = 0; i < kinds_.size(); ++i) {
-    if (valid(i)) continue;
-    Int3 const c = cell(i);
+  auto const mark = [&](Int3 const& c) {
+    std::size_t const i = static_cast<std::size_t>(index(c));
+    if (valid(i)) return;
     for (int dz = -1; dz <= 1; ++dz) {
       for (int dy = -1; dy <= 1; ++dy) {
         for (int dx = -1; dx <= 1; ++dx) {
@@ -197,6 +207,11 @@ void CellKinds::mark_depth() {
           kind = CellKind::shallow, fringe_[i] = 1;
         }
       }
+    }
+  };
+  for (int k = near_first_[2]; k <= near_last_[2]; ++k) {
+    for (int j = near_first_[1]; j <= near_last_[1]; ++j) {
+      for (int i = near_first_[0]; i <= near_last_[0]; ++i) mark({i, j, k});
     }
   }
 }

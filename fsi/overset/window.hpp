@@ -106,6 +106,7 @@ class CellKinds {
   void leave_to_cores();
   void reflect_kinds();
 
+  Int3 near_first_{0, 0, 0}, near_last_{-1, -1, -1};  ///< cells of the box around the surfaces, and one more around it
   WindowBox box_;
   bool inside_;
   std::vector<CellKind> kinds_, before_;

@@ -216,6 +216,19 @@ void SolidGrid::replace(std::span<Int3 const> cells, std::span<SolidDensities co
   }
 }
 
+void SolidGrid::compute_only(std::span<Int3 const> cells) {
+  Impl& m = *impl_;
+  for (SolidTile& t : m.tiles) t.active = false;
+  for (Int3 const& c : cells) m.tiles[static_cast<std::size_t>(m.tiling.at(c))].active = true;
+  for (SolidTile& t : m.tiles) {
+    if (!t.active) t.rate = 0, t.least = 1;
+  }
+}
+
+bool SolidGrid::computes(Int3 const& cell) const noexcept {
+  return impl_->tiles[static_cast<std::size_t>(impl_->tiling.at(cell))].active;
+}
+
 GridStepReport SolidGrid::step(double t_end) { return impl_->step(t_end); }
 void SolidGrid::rest(double t_end) noexcept { impl_->context.time += t_end - impl_->context.time; }
 int SolidGrid::dimensions() const noexcept {

@@ -47,6 +47,12 @@ class SolidGrid {
   /// The ledger does not count the change.
   void replace(std::span<Int3 const> cells, std::span<SolidDensities const> averages);
 
+  /// From now on steps update the tiles that hold one of these cells, at a cost in proportion, and leave the others as they
+  /// are: those are for the caller to replace. In the time step tiles left alone count by what is replaced from now on.
+  void compute_only(std::span<Int3 const> cells);
+  /// Whether steps update this cell.
+  [[nodiscard]] bool computes(Int3 const& cell) const noexcept;
+
   /// One step, not beyond t_end; on failure the state is that before the step.
   GridStepReport step(double t_end);
   /// Time passes until t_end and nothing happens: the step of a uniform state at rest.

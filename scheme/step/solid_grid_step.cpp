@@ -15,18 +15,22 @@ constexpr int most_retries = 12;
 }  // namespace
 
 void SolidGrid::Impl::run() {
-  std::ptrdiff_t const n = static_cast<std::ptrdiff_t>(tiles.size());
+  std::vector<TileId> active;
   std::size_t cells = 0;
-  for (SolidTile const& t : tiles) cells += t.cells();
+  for (std::size_t id = 0; id < tiles.size(); ++id) {
+    if (tiles[id].active) active.push_back(static_cast<TileId>(id)), cells += tiles[id].cells();
+  }
   std::size_t const worth = cells / static_cast<std::size_t>(std::max(1, setup.options.cells_per_thread));
   int const threads =
-      static_cast<int>(std::min({static_cast<std::size_t>(setup.options.threads), tiles.size(), worth}));
+      static_cast<int>(std::min({static_cast<std::size_t>(setup.options.threads), active.size(), worth}));
   if (threads <= 1) {
-    for (std::ptrdiff_t id = 0; id < n; ++id) works[0]->step(id);
+    for (TileId id : active) works[0]->step(id);
     return;
   }
 #pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
-  for (std::ptrdiff_t id = 0; id < n; ++id) works[static_cast<std::size_t>(omp_get_thread_num())]->step(id);
+  for (std::size_t n = 0; n < active.size(); ++n) {
+    works[static_cast<std::size_t>(omp_get_thread_num())]->step(active[n]);
+  }
 }
 
 Int3 SolidGrid::Impl::first_bad_cell() const noexcept {
@@ -66,6 +70,7 @@ GridStepReport SolidGrid::Impl::step(double t_end) {
     run();
     double least = 1, new_rate = 0;
     for (SolidTile const& t : tiles) {
+      if (!t.active) continue;
       least = std::min(least, t.least);
       if (!(t.rate <= new_rate)) new_rate = t.rate;
     }
@@ -85,6 +90,7 @@ GridStepReport SolidGrid::Impl::step(double t_end) {
 
 void SolidGrid::Impl::accept(double dt, double new_rate) {
   for (SolidTile& t : tiles) {
+    if (!t.active) continue;
     std::swap(t.now, t.next);
     counters.cell_updates += t.cells();
     counters.faces += static_cast<std::uint64_t>(t.faces);

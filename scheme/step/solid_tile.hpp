@@ -22,6 +22,7 @@ struct SolidTile {
   std::ptrdiff_t row = 0;    ///< doubles from one row to the next: the cells of a row, rounded up to a vector
   std::ptrdiff_t field = 0;  ///< doubles from one density to the next
   std::vector<double, CacheLineAllocator<double>> now, next;
+  bool active = true;  ///< steps update it
 
   /// Results of a step.
   double least = 1, rate = 0;
