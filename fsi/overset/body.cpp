@@ -7,7 +7,7 @@ namespace g27 {
 
 namespace {
 
-constexpr int margin = 4;  ///< cells of a window beyond the box that the body stays in
+constexpr int margin = 4;            ///< cells of a window beyond the box that the body stays in
 constexpr Int3 body_tile{16, 8, 8};  ///< of a body's grid: small, since only tiles with cells of the body are computed
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace g27 {
 
@@ -49,7 +50,7 @@ bool is_velocity(std::size_t f) noexcept { return f >= 1 && f <= 3; }
 }  // namespace
 
 template <class Fields>
-void Donors<Fields>::set_cloud(std::vector<CloudPoint<Fields>> const& points) {
+void Donors<Fields>::set_cloud(std::vector<CloudPoint<Fields>> const& points, bool dense) {
   auto const cell = [&](CloudPoint<Fields> const& p) {
     return static_cast<std::size_t>(kinds_.index(kinds_.cell_of(p.x)));
   };
@@ -57,11 +58,47 @@ void Donors<Fields>::set_cloud(std::vector<CloudPoint<Fields>> const& points) {
   for (auto const& p : points) ++first_[cell(p) + 1];
   for (std::size_t i = 0; i < kinds_.count(); ++i) first_[i + 1] += first_[i];
   std::vector<std::size_t> next = first_;
-  cloud_.resize(points.size()), where_.resize(points.size());
-  for (auto const& p : points) {
-    std::size_t const n = next[cell(p)]++;
-    cloud_[n] = p, where_[n] = p.x;
+  cloud_.resize(points.size());
+  for (auto const& p : points) cloud_[next[cell(p)]++] = p;
+  if (dense) merge_cloud();
+  where_.resize(cloud_.size());
+  for (std::size_t n = 0; n < cloud_.size(); ++n) where_[n] = cloud_[n].x;
+}
+
+template <class Fields>
+void Donors<Fields>::merge_cloud() {
+  WindowBox const& box = kinds_.box();
+  std::size_t kept = 0, first = 0;
+  for (std::size_t cell = 0; cell < kinds_.count(); ++cell) {
+    std::size_t const last = first_[cell + 1];
+    std::array<CloudPoint<Fields>, 8> sum{};
+    std::array<int, 8> count{};
+    for (std::size_t n = std::exchange(first, last); n < last; ++n) {
+      CloudPoint<Fields> const& p = cloud_[n];
+      std::size_t octant = 0;
+      for (std::size_t a = 0; a < 3; ++a) {
+        double const at = (p.x[a] - box.lower[a]) / box.h;
+        octant |= static_cast<std::size_t>(at - std::floor(at) >= 0.5) << a;
+      }
+      if (count[octant]++ == 0) {
+        sum[octant] = p;
+        continue;
+      }
+      sum[octant].x = sum[octant].x + p.x;
+      for (std::size_t f = 0; f < p.q.size(); ++f) sum[octant].q[f] += p.q[f];
+    }
+    first_[cell] = kept;
+    for (std::size_t o = 0; o < 8; ++o) {
+      if (count[o] == 0) continue;
+      double const share = 1.0 / count[o];
+      cloud_[kept] = sum[o];
+      cloud_[kept].x = share * sum[o].x;
+      for (double& q : cloud_[kept].q) q *= share;
+      ++kept;
+    }
   }
+  first_[kinds_.count()] = kept;
+  cloud_.resize(kept);
 }
 
 template <class Fields>

@@ -15,7 +15,8 @@ class Donors {
   /// The states of the cells are by the window's index.
   Donors(CellKinds const& kinds, std::vector<Fields> const& states) : kinds_(kinds), states_(states) {}
 
-  void set_cloud(std::vector<CloudPoint<Fields>> const& points);
+  /// `dense`: many points in a cell, so that those in one octant of it become one.
+  void set_cloud(std::vector<CloudPoint<Fields>> const& points, bool dense);
 
   /// Which cells give.
   enum class From {
@@ -77,6 +78,8 @@ class Donors {
   }
 
  private:
+  /// Points in one octant of a cell become one, their mean. Linear fields stay as they are.
+  void merge_cloud();
   [[nodiscard]] bool gives(std::size_t i, From from) const noexcept {
     return kinds_.valid(i) && (from == From::valid || kinds_.kind_before(i) == CellKind::deep);
   }

@@ -7,10 +7,15 @@
 #include <cmath>
 
 #include "fsi/overset/asleep.hpp"
+#include "fsi/overset/thin_rims.hpp"
 
 namespace g27 {
 
 namespace {
+
+/// Width of the gas's cells over that of a body's, and so of its triangles, from which on there are so many of these to
+/// a cell that a fit would read ten cores for each.
+constexpr double dense_from = 1.5;
 
 double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
@@ -71,6 +76,11 @@ struct OversetSolver::Impl {
   }
 
   void make_bodies() {
+    if (setup.cfl <= 0) {
+      bool const yields =
+          std::any_of(setup.bodies.begin(), setup.bodies.end(), [](auto const& b) { return b.material.plastic(); });
+      setup.cfl = yields ? 0.7 : 0.8;
+    }
     for (BodySetup const& b : setup.bodies) {
       bodies.push_back(std::make_unique<Body>(b, gas, setup.solid_options));
       std::vector<ModelProblems> each;
@@ -79,8 +89,6 @@ struct OversetSolver::Impl {
       }
       problems.push_back(std::move(each));
       results.emplace_back();
-      if (setup.cfl <= 0) setup.cfl = 0.8;
-      if (b.material.plastic()) setup.cfl = std::min(setup.cfl, 0.7);
     }
     sleeping.assign(bodies.size(), setup.skip ? 1 : 0);
   }
@@ -114,7 +122,8 @@ struct OversetSolver::Impl {
     for (auto const& b : bodies) compute_deep_cells(*b);
   }
 
-  /// The grid of a body computes what its scheme updates: the rest of its window, where there is no body, costs nothing.
+  /// The grid of a body computes what its scheme updates: the rest of its window, where there is no body, costs
+  /// nothing.
   static void compute_deep_cells(Body& b) {
     std::vector<Int3> deep;
     CellKinds const& kinds = b.solid.kinds;
@@ -193,7 +202,8 @@ struct OversetSolver::Impl {
           }
         }
       }
-      b->gas.donors.set_cloud(std::move(gas_points)), b->solid.donors.set_cloud(std::move(solid));
+      b->gas.donors.set_cloud(gas_points, gas.widths()[0] > dense_from * b->setup.cell);
+      b->solid.donors.set_cloud(solid, false);
     }
   }
   static bool near(CellKinds const& kinds, Vec3 const& x) {
@@ -212,8 +222,9 @@ struct OversetSolver::Impl {
       auto const& b = bodies[n];
       std::vector<Int3> cells;
       std::vector<GasDensities> gas_averages;
-      fill(b->gas, started, b->ambient, [](Int3 const&) { return true; }, cells,
-           [&](GasFields const& q) { gas_averages.push_back(densities_of(setup.gas.eos, q)); });
+      fill(
+          b->gas, started, b->ambient, [](Int3 const&) { return true; }, cells,
+          [&](GasFields const& q) { gas_averages.push_back(densities_of(setup.gas.eos, q)); });
       gas.replace(cells, gas_averages);
       if (!started && sleeping[n] != 0) continue;
       cells.clear();
@@ -223,8 +234,9 @@ struct OversetSolver::Impl {
         mean = mean + (1.0 / static_cast<double>(b->triangles.size())) * t.velocity;
       for (std::size_t a = 0; a < 3; ++a)
         b->background[solid_field_of::u + a] = b->cut.mirrors.across(a) ? 0.0 : mean[a];
-      fill(b->solid, started, b->background, [&](Int3 const& c) { return b->grid.computes(c); }, cells,
-           [&](SolidFields const& q) { solid_averages.push_back(densities_of(q)); });
+      fill(
+          b->solid, started, b->background, [&](Int3 const& c) { return b->grid.computes(c); }, cells,
+          [&](SolidFields const& q) { solid_averages.push_back(densities_of(q)); });
       b->grid.replace(cells, solid_averages);
     }
   }
@@ -246,7 +258,8 @@ struct OversetSolver::Impl {
     set_clouds();
   }
 
-  /// `computed`: whether a cell of the grid's is read or stepped at all where it is neither of the medium nor beside it.
+  /// `computed`: whether a cell of the grid's is read or stepped at all where it is neither of the medium nor beside
+  /// it.
   template <class Fields, class Computed, class Put>
   void fill(Region<Fields>& region, bool started, Fields const& still, Computed const& computed,
             std::vector<Int3>& cells, Put const& put) {
@@ -366,7 +379,11 @@ struct OversetSolver::Impl {
     }
     classify();
     double const placed = seconds();
-    read_states(false), set_clouds(), write_back(false);
+    read_states(false), set_clouds();
+    bool tied = false;
+    for (auto const& b : bodies) tied = tie_thin_rims(*b) || tied;
+    if (tied) set_clouds();
+    write_back(false);
     if (setup.closure) close();
     double const done = seconds();
     counters.seconds_local += solved - began, counters.seconds_gas += gas_done - solved;

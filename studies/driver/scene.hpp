@@ -73,6 +73,7 @@ struct GridRun {
   std::optional<LineStart> line;
   std::vector<SceneBody> bodies;
   std::function<GasPoint(Vec3 const& x)> point{};  ///< of a run with bodies: the state at the start
+  double body_cfl = 0;                             ///< of runs with bodies; 0: chosen
   bool closure = false;                            ///< momentum of bodies is what the pressures gave them
 };
 

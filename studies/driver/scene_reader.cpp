@@ -115,14 +115,15 @@ std::vector<std::string> covered_probes(GridRun const& grid, GridBox const& box,
   return out;
 }
 
-/// [time]: sets the end, returns the CFL number.
-double read_time(Section const& root, SceneRun& run) {
+/// [time]: sets the end, returns the CFL number if one is given.
+std::optional<double> read_time(Section const& root, SceneRun& run) {
   Section const time = root.table("time", {"end", "cfl"});
   run.end = time.positive("end", dimension::time);
   if (run.end <= run.start) {
     throw time.error("end", fmt::format("{} s is not after the start at {} s", run.end, run.start), "make it later");
   }
-  double const cfl = time.quantity("cfl", dimension::number, GasSchemeOptions{}.cfl);
+  if (!time.has("cfl")) return {};
+  double const cfl = time.quantity("cfl", dimension::number);
   if (!(cfl > 0 && cfl <= 1)) {
     throw time.error("cfl", fmt::format("{} is out of range", cfl), "choose it above 0 and up to 1");
   }
@@ -185,7 +186,7 @@ std::vector<SceneRun> read_line_runs(Section const& root, SceneRun run) {
   if (data.charge && run.setup.motion.kind != MeshMotion::Kind::fixed) {
     throw domain.error("motion", "is not possible with a charge", "remove it: charges use a fixed mesh");
   }
-  double const cfl = read_time(root, run);
+  double const cfl = read_time(root, run).value_or(GasSchemeOptions{}.cfl);
   run.output = read_output(root, run.start, run.end, {.lower = {left, 0, 0}, .upper = {right, 0, 0}});
   std::vector<SceneRun> runs;
   for (GasSchemeOptions const& options : read_schemes(root, cfl)) {
@@ -213,7 +214,8 @@ std::vector<SceneRun> read_grid_runs(Section const& root, SceneRun run) {
   if (regions.charge) {
     run.start = regions.charge->begin, grid.setup.burn = regions.charge->burn;
   }
-  double const cfl = read_time(root, run);
+  std::optional<double> const cfl = read_time(root, run);
+  grid.body_cfl = cfl.value_or(0);
   grid.initial = make_initial(regions.list, grid.setup.eos, dimensions);
   grid.point = make_point_initial(regions.list);
   grid.bodies = read_bodies(root, grid.setup, grid.point);
@@ -229,7 +231,7 @@ std::vector<SceneRun> read_grid_runs(Section const& root, SceneRun run) {
 
   std::vector<SceneRun> runs;
   if (!grid.bodies.empty()) grid.closure = read_closure(root);
-  for (GridSchemeOptions options : read_grid_schemes(root, cfl, dimensions)) {
+  for (GridSchemeOptions options : read_grid_schemes(root, cfl.value_or(GasSchemeOptions{}.cfl), dimensions)) {
     if (!grid.bodies.empty()) check_schemes_of_bodies(root, options);
     options.maps = run.output.repairs;
     grid.setup.options = options;
