@@ -8,7 +8,7 @@ def draw(run, state, out, what, close=False):
                                   squeeze=False)
     limits = density_limits(state)
     for axes in panels[0]:
-        image = draw_density(axes, state, limits, mirrored=close and axes is panels[0, 1])
+        image = draw_density(axes, state, limits)
         section_axes(axes, state.nodes)
     if close:
         corners = state.body("top").whole() / CM

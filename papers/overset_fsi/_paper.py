@@ -171,13 +171,15 @@ def body_plane(body, values):
     return values[:, int(np.argmin(np.abs(middles - body.cell / 4))), :]
 
 
-def draw_density(axes, state, limits, mirrored=False):
-    """Density of the gas in y = 0 by its logarithm, bodies in white with their outline; returns the image."""
+def draw_density(axes, state, limits):
+    """Density of the gas in y = 0 by its logarithm, with images beyond x = 0 and z = 0, and outlines of the bodies;
+    returns the image."""
     x, z = state.nodes[0] / CM, state.nodes[2] / CM
     density = plane(state.gas("density"))
     shown = dict(cmap="turbo", norm=LogNorm(*limits), rasterized=True)
-    for sign in (1, -1) if mirrored else (1,):
-        image = axes.pcolormesh(sign * x, z, density, **shown)
+    for sign_x in (1, -1) if state.nodes[0][0] == 0 else (1,):
+        for sign_z in (1, -1) if state.nodes[2][0] == 0 else (1,):
+            image = axes.pcolormesh(sign_x * x, sign_z * z, density, **shown)
     axes.set_facecolor("0.85")
     for body in state.bodies():
         draw_section(axes, body)
@@ -191,20 +193,21 @@ def density_limits(state):
 
 
 def section_axes(axes, nodes=None):
+    """Equal scales; with `nodes` the domain and a strip beyond its planes of symmetry, that bodies there show whole."""
     axes.set_aspect("equal")
     axes.set_xlabel("x [cm]")
     axes.set_ylabel("z [cm]")
     if nodes is not None:
-        axes.set_xlim(nodes[0][0] / CM, nodes[0][-1] / CM)
-        axes.set_ylim(nodes[2][0] / CM, nodes[2][-1] / CM)
+        axes.set_xlim(nodes[0][0] / CM - 1, nodes[0][-1] / CM)
+        axes.set_ylim(nodes[2][0] / CM - 1, nodes[2][-1] / CM)
 
 
-def solid(axes, corners, colour=STEEL, alpha=1.0, light=LightSource(azdeg=250, altdeg=35)):
-    """Shaded triangles [cm] in a 3D view."""
+def solid(axes, corners, colour=STEEL, alpha=1.0, altitude=35):
+    """Shaded triangles [cm] in a 3D view, lit from this altitude [deg]."""
     corners = corners / CM
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-300)
-    shade = 0.45 + 0.55 * np.clip(normals @ light.direction, 0, 1)
+    shade = 0.45 + 0.55 * np.clip(normals @ LightSource(azdeg=120, altdeg=altitude).direction, 0, 1)
     colours = np.broadcast_to(np.atleast_2d(colour)[:, :3], (len(corners), 3)) * shade[:, None]
     faces = np.column_stack([colours, np.full(len(corners), alpha)])
     axes.add_collection3d(Poly3DCollection(corners, facecolors=faces, edgecolors=faces * [0.85, 0.85, 0.85, 1],
@@ -234,14 +237,10 @@ def axis_points(corners):
     with np.errstate(divide="ignore", invalid="ignore"):
         s = (to[:, 0] * ac[:, 1] - to[:, 1] * ac[:, 0]) / det
         t = (ab[:, 0] * to[:, 1] - ab[:, 1] * to[:, 0]) / det
-    hit = (det != 0) & (s >= 0) & (t >= 0) & (s + t <= 1)
+        hit = (det != 0) & (s >= 0) & (t >= 0) & (s + t <= 1)
     z = corners[hit, 0, 2] + s[hit] * (corners[hit, 1, 2] - corners[hit, 0, 2]) \
         + t[hit] * (corners[hit, 2, 2] - corners[hit, 0, 2])
+    z = z[np.isfinite(z)]
     if z.size < 2:
         sys.exit("the body is not on the axis x = y = 0")
     return z.min(), z.max()
-
-
-def by_grid(runs):
-    """Runs of the finest grid alone, or all: at most three grids."""
-    return sorted({round(run.cell, 12) for run in runs})[:3]

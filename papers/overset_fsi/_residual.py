@@ -4,11 +4,8 @@ from _paper import CM, STEEL, LineCollection, arguments, axis_points, plt, save,
 
 
 def facts(first, last):
-    """Thickness along the axis over the initial one; how far the faces' middles lie behind or before their rims [m].
-
-    The rim of a face is its highest point towards the outside: a depression of the far side is highest point less
-    middle, a bulge of the near side middle's lead over the outermost point of the section's flank at half its radius.
-    """
+    """Thickness along the axis over the initial one; how far the faces' middles lie behind their outermost points
+    [m]."""
     low_0, high_0 = axis_points(first)
     low, high = axis_points(last)
     far_rim, near_rim = last[:, :, 2].max(), last[:, :, 2].min()
@@ -47,7 +44,7 @@ def draw(name):
     axes.set_title("section y = 0 (grey: the initial shape, moved)", fontsize=9)
     for n, (elevation, side) in enumerate(((30, "far side"), (-30, "near side"))):
         axes = figure.add_subplot(1, 3, n + 2, projection="3d")
-        solid(axes, last, STEEL)
+        solid(axes, last, STEEL, altitude=elevation)
         view(axes, last, elevation)
         axes.set_title(side, fontsize=9)
 

@@ -35,9 +35,6 @@ def main():
     axes.plot(radius * np.cos(angle), radius * np.sin(angle), "k--", lw=0.8)
     axes.annotate(f"dense gas to r = {radius:.2f} cm", (0.35 * radius, 0.35 * radius), ha="center", fontsize=9)
     section_axes(axes, state.nodes)
-    low = -0.8
-    axes.set_xlim(low, x[-1])
-    axes.set_ylim(low, z[-1])
     for axis in (axes.axhline, axes.axvline):
         axis(0, color="k", lw=1, ls="-.")
     axes.set_title(f"Computational domain, an octant: section y = 0\n{runs[0].label(state)}", fontsize=10)

@@ -35,8 +35,8 @@ def main():
         corners.append(body.whole().reshape(-1, 3) / CM)
     corners = np.concatenate(corners)
     section_axes(axes)
-    axes.set_xlim(max(0, corners[:, 0].max() - 6), corners[:, 0].max() + 0.7)
-    axes.set_ylim(max(0, corners[:, 2].max() - 6), corners[:, 2].max() + 0.7)
+    axes.set_xlim(-0.8, corners[:, 0].max() + 0.7)
+    axes.set_ylim(-0.8, corners[:, 2].max() + 0.7)
     axes.set_title(f"Grids of gas (grey) and steel (red), y = 0\n{runs[0].label(state)}", fontsize=10)
     save(figure, out)
 
