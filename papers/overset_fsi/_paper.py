@@ -160,6 +160,34 @@ def draw_section(axes, body, **style):
     axes.add_collection(LineCollection(section(body.whole(), 1) / CM, **shown))
 
 
+def polygons(segments):
+    """Closed lines that segments make up, [points][2] each."""
+    def key(point):
+        return tuple(np.round(point / span, 7))
+
+    span = np.ptp(segments) or 1.0
+    ends = {}
+    for n, pair in enumerate(segments):
+        for point in pair:
+            ends.setdefault(key(point), []).append(n)
+    left, out = set(range(len(segments))), []
+    while left:
+        n = left.pop()
+        line = list(segments[n])
+        while (follower := next((m for m in ends[key(line[-1])] if m in left), None)) is not None:
+            left.discard(follower)
+            a, b = segments[follower]
+            line.append(b if key(a) == key(line[-1]) else a)
+        out.append(np.array(line))
+    return out
+
+
+def fill_section(axes, body, **style):
+    """The section of a whole body with y = 0, [cm]."""
+    for polygon in polygons(section(body.whole(), 1)):
+        axes.fill(*polygon.T / CM, **dict(facecolor="0.85", edgecolor="k", linewidth=1.0) | style)
+
+
 def plane(values):
     """The layer of [nz][ny][nx] beside the plane of symmetry y = 0, the first one."""
     return values[:, 0, :]
@@ -182,7 +210,7 @@ def draw_density(axes, state, limits):
             image = axes.pcolormesh(sign_x * x, sign_z * z, density, **shown)
     axes.set_facecolor("0.85")
     for body in state.bodies():
-        draw_section(axes, body)
+        fill_section(axes, body)
     return image
 
 

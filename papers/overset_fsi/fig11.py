@@ -4,7 +4,7 @@ usage: fig11.py RUN.h5 OUT.png
 """
 # needs: three-cubes
 import numpy as np
-from _paper import CM, arguments, plane, plt, save, section, section_axes
+from _paper import CM, arguments, fill_section, plane, plt, save, section, section_axes
 
 
 def charge_radius(state):
@@ -24,11 +24,8 @@ def main():
     image = axes.pcolormesh(x, z, density, cmap="YlOrBr", vmin=0, rasterized=True)
     figure.colorbar(image, ax=axes, label="density of the gas [kg/m3]", shrink=0.8)
     for body in state.bodies():
-        segments = section(body.whole(), 1) / CM
-        points = segments.reshape(-1, 2)
-        middle = points.mean(axis=0)
-        order = np.argsort(np.arctan2(*(points - middle).T[::-1]))
-        axes.fill(*points[order].T, color="tab:red", lw=0)
+        fill_section(axes, body, facecolor="tab:red", linewidth=0)
+        middle = section(body.whole(), 1).mean(axis=(0, 1)) / CM
         axes.annotate(body.name, middle, color="w", ha="center", va="center", fontsize=9)
     angle = np.linspace(0, np.pi / 2, 100)
     radius = charge_radius(state) / CM

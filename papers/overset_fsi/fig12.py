@@ -26,11 +26,16 @@ def main():
     figure, axes = plt.subplots(figsize=(8, 7), constrained_layout=True)
     image = draw_density(axes, state, density_limits(state))
     figure.colorbar(image, ax=axes, label="density of the gas [kg/m3]", shrink=0.8)
-    axes.add_collection(LineCollection(lines(state.nodes[0] / CM, state.nodes[2] / CM), colors="0.25", linewidths=0.3))
+    cells = lines(state.nodes[0] / CM, state.nodes[2] / CM)
+    for mirror in ((1, 1), (-1, 1), (1, -1)):
+        axes.add_collection(LineCollection(cells * mirror, colors="0.6", linewidths=0.4))
     corners = []
     for body in state.bodies():
         nodes = body.nodes()
         grid = lines(nodes[0] / CM, nodes[2] / CM, np.isfinite(body_plane(body, body.field("density"))))
+        for axis in (0, 2):
+            if axis in body.mirrors:
+                grid = np.concatenate([grid, grid * ([-1, 1] if axis == 0 else [1, -1])])
         axes.add_collection(LineCollection(grid, colors="tab:red", linewidths=0.5))
         corners.append(body.whole().reshape(-1, 3) / CM)
     corners = np.concatenate(corners)

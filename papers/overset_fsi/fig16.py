@@ -15,14 +15,20 @@ def main():
     states = [run.states[0], run.near(13 * US), run.states[-1]]
     if len({state.time for state in states}) < 3:
         states = [run.states[0], run.states[-1]]
-    figure = plt.figure(figsize=(4.6 * len(states), 5.2), constrained_layout=True)
+    figure = plt.figure(figsize=(4.2 * len(states), 8), constrained_layout=True)
     everything = np.concatenate([body.whole() for state in states for body in state.bodies()])
+    largest = max((state.body("top").whole() for state in states), key=lambda c: np.ptp(c, axis=(0, 1)).max())
     for n, state in enumerate(states):
-        axes = figure.add_subplot(1, len(states), n + 1, projection="3d")
+        axes = figure.add_subplot(2, len(states), n + 1, projection="3d")
         for body in state.bodies():
             solid(axes, body.whole(), COLOURS[n])
         view(axes, everything)
         axes.set_title(f"{state.time / US:.3g} us", fontsize=10)
+        axes = figure.add_subplot(2, len(states), len(states) + n + 1, projection="3d")
+        corners = state.body("top").whole()
+        solid(axes, corners, COLOURS[n])
+        view(axes, largest + (corners.mean(axis=(0, 1)) - largest.mean(axis=(0, 1))))
+        axes.set_title(f"{state.body('top').name}, {state.time / US:.3g} us", fontsize=10)
     figure.suptitle(f"Shapes of the bodies\n{run.label()}", fontsize=10)
     save(figure, out)
 
