@@ -86,6 +86,7 @@ class Run:
         self.file = h5py.File(file, "r")
         about = self.file["run"].attrs
         self.scene, self.scheme = text(about.get("scene", about["name"])), text(about["scheme"])
+        self.variant = text(about["variant"])
         if "body" not in self.file["history"]:
             sys.exit(f"{file}: a run without bodies")
         self.states = [State(self.file["state"][s]) for s in sorted(self.file["state"])]
@@ -105,7 +106,9 @@ class Run:
 
     @property
     def elastic(self):
-        """Without plastic flow at the end."""
+        """By the variant's name, else whether nothing yielded."""
+        if self.variant in ("elastic", "elastoplastic"):
+            return self.variant == "elastic"
         return all(body["plastic_strain"][-1] == 0 for body in self.file["history/body"].values())
 
     @property

@@ -5,9 +5,6 @@ usage: fig21.py RUN.h5 [RUN.h5 ...] OUT.png; three grids of a body carry a band 
 # needs: equal-mass-disc
 # needs: equal-mass-tetrahedron
 # needs: equal-mass-cube
-# needs: equal-mass-disc --set 'material.steel.strength={ type = "elastic", shear = "80.77 GPa" }'
-# needs: equal-mass-tetrahedron --set 'material.steel.strength={ type = "elastic", shear = "80.77 GPa" }'
-# needs: equal-mass-cube --set 'material.steel.strength={ type = "elastic", shear = "80.77 GPa" }'
 import _gci
 import numpy as np
 from _paper import US, arguments, plt, save

@@ -61,6 +61,11 @@ std::string scaled(std::string const& key, Node const& node, double factor) {
   return fmt::format("{}=\"{:.15g}{}\"", key, number * factor, text->substr(end));
 }
 
+Node::Array const* list_of(Node const& owner, std::string const& key) {
+  Node const* entry = owner.find(key);
+  return entry != nullptr ? std::get_if<Node::Array>(&entry->value) : nullptr;
+}
+
 double seconds(Node const& node) {
   auto const* text = std::get_if<std::string>(&node.value);
   auto const quantity = text != nullptr ? parse_quantity(*text) : std::nullopt;
@@ -111,10 +116,17 @@ std::vector<std::string> coarser(Document const& scene, double factor) {
     throw InputError("g27 figure", "--grids", fmt::format("{} has no domain.cell", scene.file), "give it one");
   }
   out.push_back(scaled("domain.cell", *cell, factor));
-  Node const* bodies = scene.root.find("body");
-  auto const* list = bodies != nullptr ? std::get_if<Node::Array>(&bodies->value) : nullptr;
-  for (std::size_t n = 0; list != nullptr && n < list->size(); ++n) {
-    if (Node const* own = (*list)[n].find("cell")) out.push_back(scaled(fmt::format("body.{}.cell", n), *own, factor));
+  auto const add_bodies = [&](Node const& owner, std::string const& prefix) {
+    auto const* list = list_of(owner, "body");
+    for (std::size_t n = 0; list != nullptr && n < list->size(); ++n) {
+      std::string const key = fmt::format("{}body.{}.cell", prefix, n);
+      if (Node const* own = (*list)[n].find("cell")) out.push_back(scaled(key, *own, factor));
+    }
+  };
+  add_bodies(scene.root, "");
+  auto const* variants = list_of(scene.root, "variant");
+  for (std::size_t n = 0; variants != nullptr && n < variants->size(); ++n) {
+    add_bodies((*variants)[n], fmt::format("variant.{}.", n));
   }
   return out;
 }
@@ -124,8 +136,7 @@ std::vector<std::string> quick_look(Document const& scene) {
   Node const* time = scene.root.find("time");
   Node const* end = time != nullptr ? time->find("end") : nullptr;
   Node const* output = scene.root.find("output");
-  Node const* snapshots = output != nullptr ? output->find("snapshots") : nullptr;
-  auto const* list = snapshots != nullptr ? std::get_if<Node::Array>(&snapshots->value) : nullptr;
+  auto const* list = output != nullptr ? list_of(*output, "snapshots") : nullptr;
   if (end == nullptr || list == nullptr) return out;
   std::vector<std::string> kept;
   for (Node const& at : *list) {

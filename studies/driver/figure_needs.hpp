@@ -1,7 +1,7 @@
 #pragma once
 /// What a figure of a paper is drawn from, as its script declares in lines of comment:
 ///
-///   # needs: equal-mass-disc --set 'material.steel.strength={ type = "elastic", shear = "80.77 GPa" }'
+///   # needs: three-cubes --set 'material.steel.strength={ type = "elastic", shear = "80.77 GPa" }'
 #include <filesystem>
 #include <string>
 #include <vector>

@@ -119,6 +119,9 @@ TEST_CASE("coarser grids and quick looks are settings", "[unit]") {
   Document const scene = parse_document(head + domain + rest, "cube.toml");
   CHECK(coarser(scene, 1).empty());
   CHECK(coarser(scene, 2) == std::vector<std::string>{"domain.cell=\"4 mm\"", "body.0.cell=\"3 mm\""});
+  Document const twins =
+      parse_document(head + domain + rest + "[[variant]]\n[[variant.body]]\ncell = '1 mm'\n", "twins.toml");
+  CHECK(coarser(twins, 2).back() == "variant.0.body.0.cell=\"2 mm\"");
   Document shorter = scene;
   set_value(shorter, "time.end=2 us");
   CHECK(quick_look(scene) == std::vector<std::string>{"expect=[]"});
