@@ -85,7 +85,7 @@ class Run:
     def __init__(self, file):
         self.file = h5py.File(file, "r")
         about = self.file["run"].attrs
-        self.scene, self.scheme = text(about.get("scene", about["name"])), text(about["scheme"])
+        self.scene, self.scheme = text(about.get("scene", "?")), text(about["scheme"])
         self.variant = text(about["variant"])
         if "body" not in self.file["history"]:
             sys.exit(f"{file}: a run without bodies")
@@ -121,7 +121,7 @@ class Run:
         solid = ", ".join(f"{c:g}" for c in cells)
         when = f", t = {state.time / US:.3g} us" if state else f", to {self.end / US:.3g} us"
         stopped = "" if self.complete else " (unfinished)"
-        return f"{self.scheme} scheme, cells: gas {self.cell * 1e3:.3g} mm, steel {solid} mm{when}{stopped}"
+        return f"{self.scene}: {self.scheme} scheme, cells: gas {self.cell * 1e3:.3g} mm, steel {solid} mm{when}{stopped}"
 
 
 def arguments():

@@ -109,41 +109,56 @@ Strings usual_files(std::string const& name) {
   return files;
 }
 
-/// One page of every figure whose results are there.
+/// HDF5 files of a figure whose results are there, else none: why is said on stderr.
+Strings files_there(std::string const& name, FigureArguments const& arguments, CacheOptions const& options) {
+  auto const needs = needs_of(figure_script(name));
+  Strings files;
+  if (needs.empty()) {
+    add_hdf5_files(fs::path("results/studies") / name / "study.h5", files);
+    return files;
+  }
+  if (!arguments.scene.empty() && needs.size() > 1) return files;
+  try {
+    for (Scene const& scene : scenes_of(needs, arguments)) {
+      if (!computed(scene, options)) {
+        fmt::print(stderr, "{}: left out, {} is not computed\n", name, scene.name);
+        return {};
+      }
+      auto const more = cached_files(scene, options);
+      files.insert(files.end(), more.begin(), more.end());
+    }
+  } catch (InputError const& error) {
+    fmt::print(stderr, "{}: left out, {}: {}\n", name, error.key, error.problem);
+    return {};
+  }
+  return files;
+}
+
+/// One page of every figure whose results are there; status 1 when one of them could not be drawn.
 int gallery(FigureArguments const& arguments) {
   CacheOptions const options = cache_options(arguments);
-  fs::path const source = build_facts().source_dir;
+  Strings words{"results", build_facts().version + " " + build_facts().commit};
+  bool complete = true;
   for (std::string const& name : figure_names()) {
-    auto const needs = needs_of(figure_script(name));
-    Strings files;
-    if (needs.empty()) {
-      add_hdf5_files(fs::path("results/studies") / name / "study.h5", files);
+    Strings files = files_there(name, arguments, options);
+    if (files.empty()) continue;
+    make_output_folder(arguments.out);
+    std::string const figure = (fs::path(arguments.out) / (name + ".png")).string();
+    files.push_back(figure);
+    if (draw(name, files)) {
+      words.push_back(figure);
     } else {
-      try {
-        for (Scene const& scene : scenes_of(needs, arguments)) {
-          if (!computed(scene, options)) {
-            fmt::print(stderr, "{}: left out, {} is not computed\n", name, scene.name);
-            files.clear();
-            break;
-          }
-          auto const more = cached_files(scene, options);
-          files.insert(files.end(), more.begin(), more.end());
-        }
-      } catch (InputError const& error) {
-        fmt::print(stderr, "{}: left out, {}: {}\n", name, error.key, error.problem);
-        files.clear();
-      }
+      complete = false;
     }
-    if (!files.empty()) draw_into(arguments, name, files);
   }
   make_output_folder(arguments.out);
   fs::path const page = fs::path(arguments.out) / "gallery.html";
-  if (!run_script(source / "studies/figures/_gallery.py",
-                  {arguments.out, "results", build_facts().version + " " + build_facts().commit, page.string()})) {
+  words.push_back(page.string());
+  if (!run_script(fs::path(build_facts().source_dir) / "studies/figures/_gallery.py", words)) {
     throw OutputError("the gallery was not written");
   }
   fmt::print("{}\n", page.string());
-  return 0;
+  return complete ? 0 : 1;
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 """One HTML page of all figures that are there, the tables of runs and studies, and where they come from.
 
-usage: _gallery.py FIGURES_FOLDER RESULTS_FOLDER PROGRAM OUT.html
+usage: _gallery.py RESULTS_FOLDER PROGRAM [FIGURE.png ...] OUT.html
 """
 import base64
 import csv
@@ -48,6 +48,15 @@ def picture(path, title):
             f"<figcaption>{html.escape(title)}</figcaption></figure>")
 
 
+def title_of(name):
+    """The first line of the docstring of the figure's script."""
+    here = pathlib.Path(__file__).parent
+    for script in (here / f"{name}.py", here.parents[1] / "papers/overset_fsi" / f"{name}.py"):
+        if script.exists():
+            return f"{name}: {script.read_text().splitlines()[0].strip(chr(34))}"
+    return name
+
+
 def provenance(folder):
     """Facts that the first of a folder's HDF5 files holds."""
     for path in sorted(folder.glob("*.h5")):
@@ -81,12 +90,12 @@ def run_section(folder):
 
 
 def main():
-    figures, results, program, out = sys.argv[1:]
-    figures, results = pathlib.Path(figures), pathlib.Path(results)
+    results, program, *figures, out = sys.argv[1:]
+    results, figures = pathlib.Path(results), [pathlib.Path(figure) for figure in figures]
     parts = [f"<h1>godunov27</h1><p>Drawn by {html.escape(program)}.</p>",
              '<nav><a href="#figures">Figures</a><a href="#runs">Runs</a><a href="#studies">Studies</a></nav>',
              '<h2 id="figures">Figures</h2>']
-    parts += [picture(path, path.stem) for path in sorted(figures.glob("*.png")) if ".part" not in path.name]
+    parts += [picture(path, title_of(path.stem)) for path in figures]
     parts.append('<h2 id="runs">Runs</h2>')
     parts += [run_section(path.parent) for path in sorted(results.rglob("summary.json"))
               if "earlier" not in path.parts]
