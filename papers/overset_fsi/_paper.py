@@ -121,7 +121,8 @@ class Run:
         solid = ", ".join(f"{c:g}" for c in cells)
         when = f", t = {state.time / US:.3g} us" if state else f", to {self.end / US:.3g} us"
         stopped = "" if self.complete else " (unfinished)"
-        return f"{self.scene}: {self.scheme} scheme, cells: gas {self.cell * 1e3:.3g} mm, steel {solid} mm{when}{stopped}"
+        grids = f"cells: gas {self.cell * 1e3:.3g} mm, steel {solid} mm"
+        return f"{self.scene}: {self.scheme} scheme, {grids}{when}{stopped}"
 
 
 def arguments():
