@@ -16,11 +16,12 @@ constexpr char const* restart_group = "/restart/overset";
 struct SolidColumn {
   char const *name, *unit;
 };
-constexpr SolidColumn solid_columns[] = {{"density", "kg/m3"},   {"velocity_x", "m/s"}, {"velocity_y", "m/s"},
-                                         {"velocity_z", "m/s"},  {"pressure", "Pa"},    {"von_mises", "Pa"},
-                                         {"plastic_strain", "1"}};
+constexpr SolidColumn solid_columns[] = {{"density", "kg/m3"},    {"velocity_x", "m/s"}, {"velocity_y", "m/s"},
+                                         {"velocity_z", "m/s"},   {"pressure", "Pa"},    {"von_mises", "Pa"},
+                                         {"plastic_strain", "1"}, {"kind", "1"}};
+constexpr std::size_t kind_column = std::size(solid_columns) - 1;  // of CellKind; the others are fields of the solid
 
-std::array<double, std::size(solid_columns)> values_of(SolidFields const& q) {
+std::array<double, kind_column> values_of(SolidFields const& q) {
   namespace f = solid_field_of;
   double squares = 0;
   for (std::size_t c = 0; c < 6; ++c) squares += (c < 3 ? 1 : 2) * q[f::S + c] * q[f::S + c];
@@ -40,6 +41,7 @@ BodySnapshot snapshot_of(std::string const& name, Body const& body) {
     out.fields.push_back({column, unit, std::vector<double>(kinds.count())});
   }
   for (std::size_t i = 0; i < kinds.count(); ++i) {
+    out.fields[kind_column].values[i] = static_cast<double>(kinds.kind(i));
     if (!kinds.valid(i)) continue;
     auto const values = values_of(body.solid.states[i]);
     for (std::size_t f = 0; f < values.size(); ++f) out.fields[f].values[i] = values[f];

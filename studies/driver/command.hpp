@@ -50,7 +50,14 @@ struct ExactArguments {
 int command_exact(ExactArguments const& arguments);
 
 struct FigureArguments {
-  std::string name, from, out = "results/figures";
+  std::string name, out = "results/figures";
+  std::vector<std::string> from;
+  // of figures of the paper:
+  std::vector<std::string> set;
+  std::string scene;          ///< empty, or instead of the one it needs
+  std::vector<double> grids;  ///< cell widths over the scene's; empty: 1
+  int threads = 0;            ///< 0: as many as the machine has
+  bool cached = false;        ///< results of another build are taken
 };
 int command_figure(FigureArguments const& arguments);
 

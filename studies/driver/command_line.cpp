@@ -11,6 +11,7 @@
 #include "studies/driver/input_error.hpp"
 #include "studies/driver/nearest_key.hpp"
 #include "studies/driver/provenance.hpp"
+#include "studies/driver/python.hpp"
 #include "verification/exact/oracle.hpp"
 
 namespace g27 {
@@ -108,10 +109,21 @@ void add_exact(CLI::App& app, int& status) {
 
 void add_figure(CLI::App& app, int& status) {
   auto const a = std::make_shared<FigureArguments>();
-  auto* sub = add_command(app, "figure", "draw a figure from results", command_figure, a, status);
-  sub->add_option("name", a->name, "see: g27 list figures")->required();
-  sub->add_option("--from", a->from, "HDF5 file or folder of results (default: where the study or scene wrote them)");
+  auto* sub =
+      add_command(app, "figure", "draw a figure; those of the paper compute what they need", command_figure, a, status);
+  sub->add_option("name", a->name, "see: g27 list figures; gallery: a page of all that have results")->required();
+  sub->add_option("--from", a->from,
+                  "HDF5 file or folder of results, or several (default: where the study or scene wrote them)")
+      ->allow_extra_args(false);
   sub->add_option("--out", a->out, "folder of the figure")->capture_default_str()->check(not_empty);
+  sub->add_option("--set", a->set, "of a figure of the paper, overrides a key of every scene: time.end='9 us'")
+      ->allow_extra_args(false);
+  sub->add_option("--scene", a->scene, "of a figure of the paper, instead of the scene it needs");
+  sub->add_option("--grids", a->grids, "of a figure of the paper, cells of these widths over the scene's: 1,1.5,2")
+      ->delimiter(',')
+      ->check(CLI::PositiveNumber);
+  sub->add_option("--threads", a->threads, "default: all of the machine")->check(CLI::Range(1, 1024));
+  sub->add_flag("--cached", a->cached, "takes results of another build as they are");
 }
 
 void add_bench(CLI::App& app, int& status) {
@@ -198,6 +210,9 @@ int run_program(int argc, char** argv) {
     return bad_input;
   } catch (InputError const& error) {
     return report(error);
+  } catch (Interrupted const& stopped) {
+    fmt::print(stderr, "interrupted\n");
+    return 128 + stopped.signal;
   } catch (OracleError const& error) {
     return report({"g27 exact", error.key, error.what, error.remedy});
   } catch (std::exception const& error) {

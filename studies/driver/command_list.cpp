@@ -7,6 +7,7 @@
 #include "studies/driver/benchmark.hpp"
 #include "studies/driver/command.hpp"
 #include "studies/driver/document.hpp"
+#include "studies/driver/figure_needs.hpp"
 #include "studies/driver/lookup.hpp"
 #include "studies/driver/python.hpp"
 #include "studies/driver/scene_reader.hpp"
@@ -54,7 +55,7 @@ std::vector<Item> list_schemes() {
 std::vector<Item> list_figures() {
   std::vector<Item> items;
   for (auto const& name : figure_names()) {
-    items.push_back({name, "studies/figures/" + name + ".py"});
+    items.push_back({name, figure_title(figure_script(name))});
   }
   return items;
 }

@@ -44,6 +44,7 @@ std::string state_path(std::size_t index) { return fmt::format("/state/{:04}", i
 
 void write_heading(Hdf5Writer& out, Scene const& scene, SceneRun const& run, RunRecord const& record) {
   out.group("/run");
+  out.attribute("/run", "scene", scene.name);
   out.attribute("/run", "title", scene.title);
   out.attribute("/run", "name", run.name);
   out.attribute("/run", "variant", run.variant);

@@ -20,9 +20,15 @@ std::string utc_now() {
 
 std::vector<std::pair<std::string, std::string>> provenance(int threads) {
   BuildFacts const facts = build_facts();
-  return {{"version", facts.version},           {"commit", facts.commit}, {"compiler", facts.compiler},
-          {"build_type", facts.build_type},     {"flags", facts.flags},   {"instruction_set", gas_kernels().isa},
-          {"threads", std::to_string(threads)}, {"date", utc_now()}};
+  return {{"version", facts.version},
+          {"commit", facts.commit},
+          {"compiler", facts.compiler},
+          {"build_type", facts.build_type},
+          {"flags", facts.flags},
+          {"sources", facts.sources},
+          {"instruction_set", gas_kernels().isa},
+          {"threads", std::to_string(threads)},
+          {"date", utc_now()}};
 }
 
 }  // namespace g27

@@ -6,15 +6,47 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <csignal>
 #include <filesystem>
 #include <system_error>
 
+#include "studies/driver/input_error.hpp"
+#include "studies/driver/nearest_key.hpp"
 #include "studies/driver/provenance.hpp"
 
 namespace g27 {
 namespace {
 
-std::filesystem::path figure_folder() { return std::filesystem::path(build_facts().source_dir) / "studies/figures"; }
+/// Those of the studies and scenes, and those of the paper.
+std::vector<std::filesystem::path> figure_folders() {
+  std::filesystem::path const source = build_facts().source_dir;
+  return {source / "studies/figures", source / "papers/overset_fsi"};
+}
+
+std::sig_atomic_t volatile stopped_by = 0;
+
+/// While a script runs, Ctrl-C and SIGTERM are ours: an interpreter would answer with a traceback.
+class ChildGuard {
+ public:
+  ChildGuard() {
+    stopped_by = 0;
+    struct sigaction action {};
+    action.sa_handler = [](int signal) { stopped_by = signal; };  // no SA_RESTART: waitpid returns
+    sigaction(SIGINT, &action, &interrupt_);
+    sigaction(SIGTERM, &action, &terminate_);
+  }
+  ~ChildGuard() {
+    sigaction(SIGINT, &interrupt_, nullptr);
+    sigaction(SIGTERM, &terminate_, nullptr);
+  }
+  ChildGuard(ChildGuard const&) = delete;
+  ChildGuard& operator=(ChildGuard const&) = delete;
+
+ private:
+  struct sigaction interrupt_ {
+  }, terminate_{};
+};
 
 int run(std::vector<std::string> const& command, bool quiet) {
   std::vector<char*> argv;
@@ -22,8 +54,11 @@ int run(std::vector<std::string> const& command, bool quiet) {
     argv.push_back(const_cast<char*>(word.c_str()));
   }
   argv.push_back(nullptr);
+  ChildGuard const guard;
   pid_t const child = fork();
   if (child == 0) {
+    std::signal(SIGINT, SIG_IGN);
+    std::signal(SIGTERM, SIG_DFL);
     if (quiet) {
       int const null = open("/dev/null", O_WRONLY);
       dup2(null, STDOUT_FILENO);
@@ -35,10 +70,13 @@ int run(std::vector<std::string> const& command, bool quiet) {
     _exit(127);
   }
   int status = 0;
-  if (child < 0 || waitpid(child, &status, 0) != child || !WIFEXITED(status)) {
-    return -1;
+  pid_t ended = child < 0 ? child : waitpid(child, &status, 0);
+  while (ended < 0 && child > 0 && errno == EINTR) {
+    if (stopped_by != 0) kill(child, SIGTERM);
+    ended = waitpid(child, &status, 0);
   }
-  return WEXITSTATUS(status);
+  if (stopped_by != 0) throw Interrupted{stopped_by};
+  return ended == child && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
 }  // namespace
@@ -62,9 +100,9 @@ std::string find_python() {
 
 std::vector<std::string> figure_names() {
   std::vector<std::string> names;
-  if (std::filesystem::is_directory(figure_folder())) {
-    for (auto const& entry : std::filesystem::directory_iterator(figure_folder())) {
-      // A leading underscore marks what scripts share.
+  for (auto const& folder : figure_folders()) {
+    if (!std::filesystem::is_directory(folder)) continue;
+    for (auto const& entry : std::filesystem::directory_iterator(folder)) {
       if (entry.path().extension() == ".py" && entry.path().filename().string().front() != '_') {
         names.push_back(entry.path().stem().string());
       }
@@ -74,22 +112,43 @@ std::vector<std::string> figure_names() {
   return names;
 }
 
+std::filesystem::path figure_script(std::string const& name) {
+  auto const names = figure_names();
+  if (std::find(names.begin(), names.end(), name) == names.end()) {
+    throw InputError("g27 figure", name, "there is no figure of that name", suggestion(name, names));
+  }
+  auto const folders = figure_folders();
+  auto const of_studies = folders[0] / (name + ".py");
+  return std::filesystem::exists(of_studies) ? of_studies : folders[1] / (name + ".py");
+}
+
 bool draw(std::string const& name, std::vector<std::string> const& arguments) {
-  std::string const python = find_python();
+  return run_script(figure_script(name), arguments);
+}
+
+bool run_script(std::filesystem::path const& script, std::vector<std::string> const& arguments) {
+  std::string const name = script.stem().string(), python = find_python();
   if (python.empty()) {
     fmt::print(stderr, "figure {}: no python3 with h5py and matplotlib (apt install python3-h5py python3-matplotlib)\n",
                name);
     return false;
   }
   // -B: no __pycache__ in the source tree
-  std::vector<std::string> command{python, "-B", (figure_folder() / (name + ".py")).string()};
+  std::vector<std::string> command{python, "-B", script.string()};
   command.insert(command.end(), arguments.begin(), arguments.end());
   // written aside and renamed: an interrupted script leaves the old figure or none
   std::filesystem::path const figure = arguments.back();
-  auto const aside = std::filesystem::path(figure).replace_filename(figure.stem().string() + ".part.png");
+  auto const aside =
+      std::filesystem::path(figure).replace_filename(figure.stem().string() + ".part" + figure.extension().string());
   command.back() = aside.string();
-  int const status = run_process(command);
   std::error_code error;
+  int status = -1;
+  try {
+    status = run_process(command);
+  } catch (Interrupted const&) {
+    std::filesystem::remove(aside, error);
+    throw;
+  }
   if (status == 0) {
     std::filesystem::rename(aside, figure, error);
   } else {

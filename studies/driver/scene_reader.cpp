@@ -262,12 +262,17 @@ std::vector<SceneRun> read_variant(Reading& reading, Node const& tree, std::stri
 
 }  // namespace
 
-Scene read_scene(std::filesystem::path const& file, std::vector<std::string> const& overrides) {
+Document read_overridden(std::filesystem::path const& file, std::vector<std::string> const& overrides) {
   Document document = read_document(file);
   for (std::string const& assignment : overrides) {
     bool const short_form = assignment.starts_with("skip=");  // the one key worth a shorter name on the command line
     set_value(document, (short_form ? "scheme." : "") + assignment);
   }
+  return document;
+}
+
+Scene read_scene(std::filesystem::path const& file, std::vector<std::string> const& overrides) {
+  Document const document = read_overridden(file, overrides);
   Reading reading{.file = document.file, .bare_numbers = {}};
   Section const root(reading, document.root, "", root_keys);
   Scene scene;

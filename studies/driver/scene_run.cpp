@@ -1,9 +1,11 @@
 #include "studies/driver/scene_run.hpp"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <csignal>
 #include <exception>
 #include <mutex>
@@ -45,6 +47,19 @@ class SignalGuard {
   void (*old_terminate_)(int);
 };
 
+struct Usage {
+  double cpu_s, peak_bytes;
+};
+/// Of this process so far.
+Usage usage() {
+  rusage used{};
+  getrusage(RUSAGE_SELF, &used);
+  auto const seconds = [](timeval const& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return {seconds(used.ru_utime) + seconds(used.ru_stime), 1024.0 * static_cast<double>(used.ru_maxrss)};
+}
+
 /// Work of a run up to a factor: cells x steps, the step being in proportion to the smallest cell.
 double weight(SceneRun const& run) {
   if (run.grid) {
@@ -83,6 +98,8 @@ bool SceneResult::holds() const {
 SceneResult run_scene(Scene const& scene, SceneRunOptions const& options) {
   make_output_folder(options.out);
   SignalGuard const signals;
+  auto const began = std::chrono::steady_clock::now();
+  double const cpu_before = usage().cpu_s;
   SceneResult result;
   std::vector<double> weights;
   std::transform(scene.runs.begin(), scene.runs.end(), std::back_inserter(weights), weight);
@@ -160,6 +177,8 @@ SceneResult run_scene(Scene const& scene, SceneRunOptions const& options) {
     std::rethrow_exception(trouble);
   }
   result.interrupted = stop_requested;
+  result.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  result.cpu_s = usage().cpu_s - cpu_before, result.peak_bytes = usage().peak_bytes;
   result.judgements = judge(scene, result.records);
   return result;
 }

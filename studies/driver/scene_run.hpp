@@ -19,7 +19,9 @@ struct SceneResult {
   std::map<std::string, RunRecord> records;     ///< by run name
   std::map<std::string, std::string> failures;  ///< message by run name
   std::vector<Judgement> judgements;
-  int interrupted = 0;  ///< the signal that stopped it
+  int interrupted = 0;           ///< the signal that stopped it
+  double cpu_s = 0, wall_s = 0;  ///< of the program since it began or resumed
+  double peak_bytes = 0;         ///< of the program's memory
   /// every run ended and every judged expectation holds
   [[nodiscard]] bool holds() const;
 };

@@ -9,6 +9,7 @@
 #include "fsi/surface/remesh.hpp"
 #include "fsi/surface/repair.hpp"
 #include "fsi/surface/stl_file.hpp"
+#include "studies/driver/digest.hpp"
 
 namespace g27 {
 namespace {
@@ -19,14 +20,11 @@ std::filesystem::path file_of(Section const& body) {
   return std::filesystem::path(body.reading().file).parent_path() / body.text("surface");
 }
 
-/// FNV-1a.
 std::uint64_t fingerprint_of(std::filesystem::path const& file) {
   std::ifstream in(file, std::ios::binary);
-  std::uint64_t hash = 14695981039346656037ULL;
-  for (std::istreambuf_iterator<char> c(in), end; c != end; ++c) {
-    hash = (hash ^ static_cast<unsigned char>(*c)) * 1099511628211ULL;
-  }
-  return hash;
+  Digest digest;
+  digest.add(std::string(std::istreambuf_iterator<char>(in), {}));
+  return digest.value();
 }
 
 std::string faults_of(Diagnosis const& diagnosis) {

@@ -331,7 +331,7 @@ TEST_CASE("every data set that the XDMF of a run with bodies names is there", "[
     for (std::uint64_t const n : state.shape((*m)[3])) shape += (shape.empty() ? "" : " ") + std::to_string(n);
     CHECK(shape == (*m)[1].str());
   }
-  CHECK(found == 3 * (6 + 4 + 7));  // states: fields of the gas, of the surface, of the body's own grid
+  CHECK(found == 3 * (6 + 4 + 8));  // states: fields of the gas, of the surface, of the body's own grid
 }
 
 TEST_CASE("a body that leaves its box, or comes to another, ends the run and says so", "[grid-run]") {
