@@ -97,7 +97,7 @@ Body::Body(BodySetup s, GasGrid const& gas_grid, SolidSchemeOptions const& optio
       triangles(surface.size()),
       grid(grid_setup(setup, cut.mirrors, options)),
       solid(solid_window(setup, cut.mirrors), true),
-      gas(gas_box(setup, gas_grid), false) {
+      gas(gas_box(setup, gas_grid), false, gas_grid.setup().eos) {
   connect(), place_triangles();
   for (TriangleState& t : triangles) t.at_start = t.frame.n;
 }

@@ -53,10 +53,12 @@ struct Region {
   std::vector<Fields> states;  ///< by the window's index; of valid cells
   Donors<Fields> donors;
 
-  Region(WindowBox const& box, bool inside) : kinds(box, inside), states(kinds.count()), donors(kinds, states) {}
-  /// States of the images of cells.
-  void reflect() {
+  Region(WindowBox const& box, bool inside, typename Donors<Fields>::Law const& law = {})
+      : kinds(box, inside), states(kinds.count()), donors(kinds, states, law) {}
+  /// After states of cells have changed: those of their images, and the donors.
+  void update() {
     for (ImageCell const& i : kinds.images()) states[i.cell] = reflected(states[i.of], i.image);
+    donors.update();
   }
   Region(Region const&) = delete;
   Region& operator=(Region const&) = delete;

@@ -45,9 +45,31 @@ constexpr double far_away = 1e30;    ///< where padding lies, in cells
 template <class Fields>
 inline constexpr std::size_t table = std::tuple_size_v<Fields> == gas_field::count ? 0 : 1;
 
+/// Total energy per mass [J/kg]; of solids nothing.
+double energy_of(AnyEos const& eos, GasFields const& q) noexcept {
+  Vec3 const u = velocity_of(q);
+  return std::visit([&](auto const& law) { return law.energy(q[gas_field::rho], q[gas_field::p]); }, eos) +
+         0.5 * dot(u, u);
+}
+double energy_of(std::monostate, SolidFields const&) noexcept { return 0; }
+
+double pressure_of(AnyEos const& eos, GasFields const& q, double energy) noexcept {
+  Vec3 const u = velocity_of(q);
+  return std::visit([&](auto const& law) { return law.pressure(q[gas_field::rho], energy - 0.5 * dot(u, u)); }, eos);
+}
+
 bool is_velocity(std::size_t f) noexcept { return f >= 1 && f <= 3; }
 
 }  // namespace
+
+template <class Fields>
+void Donors<Fields>::update() {
+  if constexpr (!of_gas) return;
+  energy_.resize(states_.size());
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    if (kinds_.valid(i)) energy_[i] = energy_of(law_, states_[i]);
+  }
+}
 
 template <class Fields>
 void Donors<Fields>::set_cloud(std::vector<CloudPoint<Fields>> const& points, bool dense) {
@@ -60,40 +82,51 @@ void Donors<Fields>::set_cloud(std::vector<CloudPoint<Fields>> const& points, bo
   std::vector<std::size_t> next = first_;
   cloud_.resize(points.size());
   for (auto const& p : points) cloud_[next[cell(p)]++] = p;
-  if (dense) merge_cloud();
-  where_.resize(cloud_.size());
-  for (std::size_t n = 0; n < cloud_.size(); ++n) where_[n] = cloud_[n].x;
+  if constexpr (of_gas) {
+    if (dense) merge_cloud();
+  }
+  where_.resize(cloud_.size()), cloud_energy_.resize(cloud_.size());
+  for (std::size_t n = 0; n < cloud_.size(); ++n) {
+    where_[n] = cloud_[n].x, cloud_energy_[n] = energy_of(law_, cloud_[n].q);
+  }
 }
 
 template <class Fields>
-void Donors<Fields>::merge_cloud() {
+void Donors<Fields>::merge_cloud() requires of_gas {
   WindowBox const& box = kinds_.box();
-  std::size_t kept = 0, first = 0;
+  struct Mean {
+    CloudPoint<Fields> first{};
+    Vec3 x{0, 0, 0};
+    GasDensities q{};
+    int count = 0;
+  };
+  std::size_t kept = 0, from = 0;
   for (std::size_t cell = 0; cell < kinds_.count(); ++cell) {
-    std::size_t const last = first_[cell + 1];
-    std::array<CloudPoint<Fields>, 8> sum{};
-    std::array<int, 8> count{};
-    for (std::size_t n = std::exchange(first, last); n < last; ++n) {
+    std::size_t const to = first_[cell + 1];
+    std::array<Mean, 8> octants{};
+    for (std::size_t n = std::exchange(from, to); n < to; ++n) {
       CloudPoint<Fields> const& p = cloud_[n];
       std::size_t octant = 0;
       for (std::size_t a = 0; a < 3; ++a) {
         double const at = (p.x[a] - box.lower[a]) / box.h;
         octant |= static_cast<std::size_t>(at - std::floor(at) >= 0.5) << a;
       }
-      if (count[octant]++ == 0) {
-        sum[octant] = p;
-        continue;
-      }
-      sum[octant].x = sum[octant].x + p.x;
-      for (std::size_t f = 0; f < p.q.size(); ++f) sum[octant].q[f] += p.q[f];
+      Mean& mean = octants[octant];
+      if (mean.count++ == 0) mean.first = p;
+      GasDensities const q = densities_of(law_, p.q);
+      mean.x = mean.x + p.x, mean.q.mass += q.mass, mean.q.energy += q.energy;
+      for (std::size_t d = 0; d < 3; ++d) mean.q.momentum[d] += q.momentum[d];
     }
     first_[cell] = kept;
-    for (std::size_t o = 0; o < 8; ++o) {
-      if (count[o] == 0) continue;
-      double const share = 1.0 / count[o];
-      cloud_[kept] = sum[o];
-      cloud_[kept].x = share * sum[o].x;
-      for (double& q : cloud_[kept].q) q *= share;
+    for (Mean& mean : octants) {
+      if (mean.count == 0) continue;
+      cloud_[kept] = mean.first;
+      if (mean.count > 1) {
+        double const share = 1.0 / mean.count;
+        mean.q.mass *= share, mean.q.energy *= share;
+        for (double& p : mean.q.momentum) p *= share;
+        cloud_[kept].x = share * mean.x, cloud_[kept].q = fields_of(law_, mean.q);
+      }
       ++kept;
     }
   }
@@ -125,7 +158,7 @@ void Donors<Fields>::gather(Vec3 const& x, double radius, From from, Wanted cons
         std::size_t n = static_cast<std::size_t>(kinds_.index({first, j, k}));
         for (int i = first; i <= last; ++i, ++n) {
           Vec3 const r{i + 0.5 - at[0], y, z};
-          if (gives(n, from) && wanted(r)) out.add(r, states_[n]);
+          if (gives(n, from) && wanted(r)) out.add(r, states_[n], of_gas ? energy_[n] : 0.0);
         }
       }
       // from the nearest point of the row
@@ -139,7 +172,7 @@ void Donors<Fields>::gather(Vec3 const& x, double radius, From from, Wanted cons
       auto const [from_point, to_point] = in_row(first, last, j, k);
       for (std::size_t p = from_point; p < to_point; ++p) {
         Vec3 const r = inverse * (where_[p] - x);
-        if (dot(r, r) < limit && wanted(r)) out.add(r, cloud_[p].q);
+        if (dot(r, r) < limit && wanted(r)) out.add(r, cloud_[p].q, cloud_energy_[p]);
       }
     }
   }
@@ -168,7 +201,24 @@ bool Donors<Fields>::multilinear(Vec3 const& x, From from, Fields& out) const {
              ((c & 4) != 0 ? part[2] : 1 - part[2]);
     g.q[c] = states_[corner[c]].data();
   }
+  double rho = 0, energy = 0, low = 1e300, high = -1e300;
+  if constexpr (of_gas) {
+    // the shares of the mass
+    for (std::size_t c = 0; c < 8; ++c) {
+      Fields const& q = states_[corner[c]];
+      g.w[c] *= q[gas_field::rho], rho += g.w[c];
+      low = std::min(low, q[gas_field::p]), high = std::max(high, q[gas_field::p]);
+    }
+    for (std::size_t c = 0; c < 8; ++c) g.w[c] /= rho, energy += g.w[c] * energy_[corner[c]];
+  }
   fit_kernels().multilinear[table<Fields>](g);
+  if constexpr (of_gas) {
+    auto const [least, most] = std::minmax_element(corner.begin(), corner.end(), [&](std::size_t a, std::size_t b) {
+      return states_[a][gas_field::rho] < states_[b][gas_field::rho];
+    });
+    out[gas_field::rho] = std::clamp(rho, states_[*least][gas_field::rho], states_[*most][gas_field::rho]);
+    out[gas_field::p] = std::clamp(pressure_of(law_, out, energy), low, high);
+  }
   return true;
 }
 
@@ -184,7 +234,7 @@ void Donors<Fields>::Gathered::pad() {
 }
 
 template <class Fields>
-bool Donors<Fields>::Gathered::fit(Vec3 const& r, double radius, std::size_t few, Fields& out) const {
+bool Donors<Fields>::Gathered::fit(Vec3 const& r, double radius, std::size_t few, Law const& law, Fields& out) const {
   thread_local std::vector<double> weight;
   thread_local std::vector<int> near;
   weight.resize(count_), near.resize(count_ + 1);
@@ -213,9 +263,18 @@ bool Donors<Fields>::Gathered::fit(Vec3 const& r, double radius, std::size_t few
   g.slope = minus_inverse_times(c.data(), m, least_moment * g.sum);
   g.level = 1 / g.sum - dot(g.slope, m);
   kernels.combine[table<Fields>](g);
+  double energy = 0;
+  if constexpr (of_gas) {
+    double const rho = std::clamp(g.mass, low[gas_field::rho], high[gas_field::rho]);
+    for (double& x : value) x /= rho;
+    value[gas_field::rho] = rho, energy = value[gas_field::energy];
+  }
   for (std::size_t f = 0; f < out.size(); ++f) {
     double const more = is_velocity(f) ? high[f] - low[f] : 0.0;
     out[f] = std::clamp(value[f], low[f] - more, high[f] + more);
+  }
+  if constexpr (of_gas) {
+    out[gas_field::p] = std::clamp(pressure_of(law, out, energy), low[gas_field::p], high[gas_field::p]);
   }
   return true;
 }
@@ -232,7 +291,7 @@ Fields Donors<Fields>::at(Vec3 const& x, From from, Fields const& otherwise) con
     if (donors.size() >= fewest) break;
   }
   if (donors.size() == 0) return otherwise;
-  donors.pad(), donors.fit({0, 0, 0}, everything, 1, out);
+  donors.pad(), donors.fit({0, 0, 0}, everything, 1, law_, out);
   return out;
 }
 
@@ -261,7 +320,7 @@ Fields Donors<Fields>::Around::at(Vec3 const& x, Fields const& otherwise) const 
   WindowBox const& box = donors_->kinds_.box();
   Vec3 r{};
   for (std::size_t a = 0; a < 3; ++a) r[a] = (x[a] - box.lower[a]) / box.h - box.first[a] - centre_[a];
-  return near_.fit(r, reach, fewest, out) ? out : donors_->at(x, From::valid, otherwise);
+  return near_.fit(r, reach, fewest, donors_->law_, out) ? out : donors_->at(x, From::valid, otherwise);
 }
 
 template class Donors<GasFields>;

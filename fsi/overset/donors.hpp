@@ -4,6 +4,9 @@
 /// Where the eight cells around the point are valid, multilinear; else a weighted linear least-squares fit to the valid
 /// cells and the cloud within 1.6 cells. Density, pressure and stress stay within the donors' range, velocities may
 /// leave it by one range: bounds that a rotation meets would take its angular momentum.
+///
+/// Of gas the densities of mass, momentum and energy are interpolated, which is what cells and cores hold: halfway
+/// across a shock the momentum of the mean density and the mean velocity is not the mean momentum.
 #include "fsi/overset/fit_kernels.hpp"
 #include "fsi/overset/window.hpp"
 
@@ -12,10 +15,16 @@ namespace g27 {
 template <class Fields>
 class Donors {
  public:
-  /// The states of the cells are by the window's index.
-  Donors(CellKinds const& kinds, std::vector<Fields> const& states) : kinds_(kinds), states_(states) {}
+  static constexpr bool of_gas = std::tuple_size_v<Fields> == gas_field::count;
+  using Law = std::conditional_t<of_gas, AnyEos, std::monostate>;
 
-  /// `dense`: many points in a cell, so that those in one octant of it become one.
+  /// The states of the cells are by the window's index.
+  Donors(CellKinds const& kinds, std::vector<Fields> const& states, Law const& law)
+      : kinds_(kinds), states_(states), law_(law) {}
+
+  /// To be called when the states of cells have changed.
+  void update();
+  /// `dense`: many points of gas in a cell, so that those in one octant of it become one.
   void set_cloud(std::vector<CloudPoint<Fields>> const& points, bool dense);
 
   /// Which cells give.
@@ -31,17 +40,18 @@ class Donors {
    public:
     void clear() noexcept { count_ = 0; }
     [[nodiscard]] std::size_t size() const noexcept { return count_; }
-    void add(Vec3 const& r, Fields const& q) {
+    void add(Vec3 const& r, Fields const& q, double energy = 0) {
       if (count_ == x_.size()) grow();
       x_[count_] = r[0], y_[count_] = r[1], z_[count_] = r[2];
       double* const row = &q_[count_ * stride];
       for (std::size_t f = 0; f < q.size(); ++f) row[f] = q[f];
+      if constexpr (of_gas) row[gas_field::energy] = energy;
       ++count_;
     }
     /// Once all are there.
     void pad();
     /// The fit at r to those within `radius`; false if these are fewer than `fewest`.
-    bool fit(Vec3 const& r, double radius, std::size_t fewest, Fields& out) const;
+    bool fit(Vec3 const& r, double radius, std::size_t fewest, Law const& law, Fields& out) const;
 
    private:
     static constexpr std::size_t stride = padded_fields(std::tuple_size_v<Fields>);
@@ -78,8 +88,8 @@ class Donors {
   }
 
  private:
-  /// Points in one octant of a cell become one, their mean. Linear fields stay as they are.
-  void merge_cloud();
+  /// Points in one octant of a cell become one, their mean by densities.
+  void merge_cloud() requires of_gas;
   [[nodiscard]] bool gives(std::size_t i, From from) const noexcept {
     return kinds_.valid(i) && (from == From::valid || kinds_.kind_before(i) == CellKind::deep);
   }
@@ -96,9 +106,11 @@ class Donors {
 
   CellKinds const& kinds_;
   std::vector<Fields> const& states_;
-  std::vector<CloudPoint<Fields>> cloud_;  ///< in the order of the cells they lie in
-  std::vector<Vec3> where_;                ///< their places: they are searched more often than their states are read
-  std::vector<std::size_t> first_;         ///< of the points in each cell of the window, and one more
+  Law law_;
+  std::vector<double> energy_, cloud_energy_;  ///< of gas, total per mass, of the valid cells and of the cloud [J/kg]
+  std::vector<CloudPoint<Fields>> cloud_;      ///< in the order of the cells they lie in
+  std::vector<Vec3> where_;         ///< their places: they are searched more often than their states are read
+  std::vector<std::size_t> first_;  ///< of the points in each cell of the window, and one more
 };
 
 extern template class Donors<GasFields>;

@@ -36,23 +36,26 @@ void moments(FitArguments& g) noexcept {
               stdx::reduce(xy), stdx::reduce(xz), stdx::reduce(yz)};
 }
 
-template <std::size_t fields>
+template <std::size_t fields, bool by_mass>
 void combine(FitArguments& g) noexcept {
   constexpr std::size_t rows = fields / lanes;
   Simd out[rows], low[rows], high[rows];
   double const* const first = g.q + fields * static_cast<std::size_t>(g.near[0]);
   for (std::size_t r = 0; r < rows; ++r) out[r] = 0, low[r] = high[r] = load<Simd>(first + r * lanes);
-  double total = 0;
+  double total = 0, mass = 0;
   for (std::size_t n = 0; n < g.count; ++n) {
     std::size_t const i = static_cast<std::size_t>(g.near[n]);
     double const share = g.weight[i] * (g.level + g.slope[0] * (g.x[i] - g.at[0]) + g.slope[1] * (g.y[i] - g.at[1]) +
                                         g.slope[2] * (g.z[i] - g.at[2]));
     total += share;
+    double const weight = by_mass ? share * g.q[fields * i] : share;
+    if constexpr (by_mass) mass += weight;
     for (std::size_t r = 0; r < rows; ++r) {
       Simd const q = load<Simd>(g.q + fields * i + r * lanes);
-      out[r] += share * q, low[r] = min(low[r], q), high[r] = max(high[r], q);
+      out[r] += weight * q, low[r] = min(low[r], q), high[r] = max(high[r], q);
     }
   }
+  g.mass = mass / total;
   for (std::size_t r = 0; r < rows; ++r) {
     store<Simd>(g.out + r * lanes, out[r] / total);
     store(g.low + r * lanes, low[r]), store(g.high + r * lanes, high[r]);
@@ -81,7 +84,7 @@ void multilinear(EightArguments const& g) noexcept {
 extern FitKernels const fit_loops;
 constexpr FitKernels fit_loops{
     .moments = &moments,
-    .combine = {&combine<padded_fields(gas_field::count)>, &combine<padded_fields(solid_field_of::count)>},
+    .combine = {&combine<padded_fields(gas_field::count), true>, &combine<padded_fields(solid_field_of::count), false>},
     .multilinear = {&multilinear<gas_field::count>, &multilinear<solid_field_of::count>}};
 
 }  // namespace G27_ISA

@@ -32,6 +32,7 @@ struct FitArguments {
   double level = 0;
   std::array<double, 3> slope{};
   double *out = nullptr, *low = nullptr, *high = nullptr;  ///< [padded field], also the donors' range
+  double mass = 0;                                         ///< sum of the shares of field 0, where they weigh by it
 };
 
 /// out = sum of w q over eight rows, within their range: round-off would not let a uniform state stay uniform.
@@ -43,7 +44,8 @@ struct EightArguments {
 
 struct FitKernels {
   void (*moments)(FitArguments&);
-  std::array<void (*)(FitArguments&), 2> combine;              ///< rows of 8, of 16
+  /// Rows of 8, of 16; those of 8, the gas's, weigh by field 0, the density.
+  std::array<void (*)(FitArguments&), 2> combine;
   std::array<void (*)(EightArguments const&), 2> multilinear;  ///< of the gas's fields, of the solid's
 };
 

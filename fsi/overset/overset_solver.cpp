@@ -63,6 +63,7 @@ struct OversetSolver::Impl {
     time = clock.time, last_dt = clock.last_dt, counters = clock.counters;
     for (std::size_t n = 0; n < bodies.size(); ++n) sleeping[n] = from.at("sleeping").at(n) != 0 ? 1 : 0;
     classify();
+    for (auto const& b : bodies) b->gas.update(), b->solid.update();
     set_clouds();
   }
 
@@ -168,7 +169,7 @@ struct OversetSolver::Impl {
           if (own && region.kinds.valid(i) && !region.kinds.is_image(i))
             region.states[i] = state(region.kinds.in_grid(region.kinds.cell(i)));
         }
-        region.reflect();
+        region.update();
       };
       read(b->gas, [&](Int3 const& c) { return fields_of(setup.gas.eos, gas.average(c)); });
       read(b->solid, [&](Int3 const& c) { return fields_of(b->setup.material.eos, b->grid.average(c)); });
@@ -253,7 +254,7 @@ struct OversetSolver::Impl {
             averages.push_back(densities_of(b.solid.states[i]));
       }
       b.grid.replace(cells, averages);
-      b.solid.reflect();
+      b.solid.update();
     }
     set_clouds();
   }
@@ -285,7 +286,7 @@ struct OversetSolver::Impl {
       region.states[wanted[n]] = filled[n];
       cells.push_back(kinds.in_grid(kinds.cell(wanted[n]))), put(filled[n]);
     }
-    region.reflect();
+    region.update();
     filled.resize(fringe.size());
 #pragma omp parallel for num_threads(threads) schedule(dynamic, 32)
     for (std::size_t n = 0; n < fringe.size(); ++n) {

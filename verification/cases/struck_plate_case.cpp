@@ -168,6 +168,13 @@ Case struck_plate_case() {
       double const t = k.time.back(), area = spans ? across * h * across * h : width * across * h;
       double const impulse = k.impulse.back();
       double const moved = exact->displacement(0, t);
+      // of the pressure at the contact above that of the gas at rest, from the arrival
+      double pushed = 0, exact_push = 0;
+      for (std::size_t i = 0; i < k.time.size(); ++i) {
+        double const dt = k.time[i] - std::max(0.0, i > 0 ? k.time[i - 1] : -arrival);
+        if (dt > 0) pushed += dt * (k.pressure[i] - 1), exact_push += dt * (k.exact_pressure[i] - 1);
+      }
+      r.facts["push_error"] = pushed / exact_push - 1;
       r.facts["displacement"] = moved, r.facts["displacement_in_cells"] = moved / h;
       r.facts["front_error"] = k.front.back() / moved - 1;
       r.facts["back_error"] = k.back.back() / exact->displacement(1, t) - 1;
