@@ -162,7 +162,9 @@ struct OversetSolver::Impl {
 
   /// States of the cells that the grids' own schemes have updated; at the start of all.
   void read_states(bool all) {
-    for (auto const& b : bodies) {
+#pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
+    for (std::size_t at = 0; at < bodies.size(); ++at) {
+      auto const& b = bodies[at];
       auto const read = [&](auto& region, auto const& state) {
         for (std::size_t i = 0; i < region.kinds.count(); ++i) {
           bool const own = all || region.kinds.kind_before(i) == CellKind::deep;
@@ -177,7 +179,9 @@ struct OversetSolver::Impl {
   }
 
   void set_clouds() {
-    for (auto const& b : bodies) {
+#pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
+    for (std::size_t at = 0; at < bodies.size(); ++at) {
+      auto const& b = bodies[at];
       std::vector<CloudPoint<SolidFields>> solid;
       std::vector<CloudPoint<GasFields>> gas_points;
       // and its images

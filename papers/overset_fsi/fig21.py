@@ -3,7 +3,7 @@
 usage: fig21.py RUN.h5 [RUN.h5 ...] OUT.png; three grids of a body carry a band of their convergence (GCI)
 """
 # needs: equal-mass-disc
-# needs: equal-mass-tetrahedron
+# needs: tetrahedron
 # needs: equal-mass-cube
 import _gci
 import numpy as np

@@ -8,7 +8,7 @@
 namespace g27 {
 
 struct RunArguments {
-  std::string scene = "tnt-rdx-sphere", out;
+  std::string scene = "three-cubes-quick", out;
   std::vector<std::string> set;
   int threads = 0;  ///< 0: as many as the machine has
   bool json = false, resume = false, figures = true;

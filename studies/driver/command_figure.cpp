@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <thread>
 
 #include "studies/driver/atomic_file.hpp"
@@ -97,14 +98,19 @@ void draw_into(FigureArguments const& arguments, std::string const& name, String
 
 /// Of a study or a scene, from where they write their results.
 Strings usual_files(std::string const& name) {
+  // a scene for each of the figures of runs
+  std::map<std::string, std::string> const scenes{
+      {"scene", "tnt-rdx-sphere"}, {"scene-nd", "charge-3d"}, {"scene-bodies", "three-cubes-quick"}};
+  auto const scene = scenes.find(name);
   fs::path const from =
-      name == "scene" ? fs::path("results/tnt-rdx-sphere") : fs::path("results/studies") / name / "study.h5";
+      scene != scenes.end() ? fs::path("results") / scene->second : fs::path("results/studies") / name / "study.h5";
   Strings files;
   add_hdf5_files(from, files);
   if (files.empty()) {
-    throw InputError(
-        "g27 figure", "--from", fmt::format("there are no results in {}", from.string()),
-        name == "scene" ? "run a scene first: g27 run" : fmt::format("run the study first: g27 study {}", name));
+    throw InputError("g27 figure", "--from", fmt::format("there are no results in {}", from.string()),
+                     scene != scenes.end()
+                         ? fmt::format("name another folder, or run a scene first: g27 run {}", scene->second)
+                         : fmt::format("run the study first: g27 study {}", name));
   }
   return files;
 }

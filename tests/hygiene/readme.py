@@ -34,7 +34,7 @@ for option in sorted(set(re.findall(r"`(--[a-z]+)", text))):
 for path in sorted(set(re.findall(r"`((?:riemann|scheme|fsi|verification|studies|tests)(?:/[a-z_.]+)*)`", text))):
     if not (root / path).exists():
         problems.append(f"{path} does not exist")
-for name in ("tnt-rdx-sphere",):
+for name in ("three-cubes-quick",):
     if name not in text or not (root / f"studies/scenes/{name}.toml").exists():
         problems.append(f"scene {name} is missing")
 
