@@ -158,6 +158,19 @@ struct OversetSolver::Impl {
           setup.start);
     }
     read_states(true), set_clouds(), write_back(true);
+    for (auto const& b : bodies) set_rate(*b);
+  }
+
+  /// The time step of a body's grid goes by the cells of the body, not by what is around them in the tiles.
+  static void set_rate(Body& b) {
+    double rate = 0;
+    CellKinds const& kinds = b.solid.kinds;
+    for (std::size_t i = 0; i < kinds.count(); ++i) {
+      if (!kinds.valid(i) || kinds.is_image(i)) continue;
+      double const own = b.grid.signal_rate_of(densities_of(b.solid.states[i]));
+      if (!(own <= rate)) rate = own;  // NaN as well
+    }
+    if (rate > 0) b.grid.set_signal_rate(rate);
   }
 
   /// States of the cells that the grids' own schemes have updated; at the start of all.
@@ -390,6 +403,9 @@ struct OversetSolver::Impl {
     if (tied) set_clouds();
     write_back(false);
     if (setup.closure) close();
+    for (std::size_t n = 0; n < bodies.size(); ++n) {
+      if (sleeping[n] == 0) set_rate(*bodies[n]);
+    }
     double const done = seconds();
     counters.seconds_local += solved - began, counters.seconds_gas += gas_done - solved;
     counters.seconds_solid += solid_done - gas_done, counters.seconds_geometry += placed - solid_done;

@@ -20,7 +20,8 @@ bool tie_thin_rims(Body& body) {
     Velocities u{};
     for (std::size_t k = 0; k < core_layers; ++k) {
       Vec3 const x = core_centre(t, k, -h), own = velocity_of(t.solid[k]);
-      u[k] = own + share * (velocity_of(body.solid.donors.at(x, Donors<SolidFields>::From::valid, t.solid[k])) - own);
+      u[k] =
+          own + share * (velocity_of(body.solid.donors.at(x, Donors<SolidFields>::From::own_update, t.solid[k])) - own);
     }
     tied.push_back({n, u});
   }

@@ -247,6 +247,9 @@ Vec3 SolidGrid::centre(Int3 const& cell) const noexcept { return impl_->centre(c
 double SolidGrid::time() const noexcept { return impl_->context.time; }
 double SolidGrid::stable_dt() const noexcept { return impl_->setup.options.cfl / impl_->rate; }
 double SolidGrid::signal_rate() const noexcept { return impl_->rate; }
+double SolidGrid::signal_rate_of(SolidDensities const& cell) const noexcept {
+  return impl_->signal_rate(vector_of(cell));
+}
 void SolidGrid::set_signal_rate(double rate) noexcept { impl_->rate = rate; }
 SolidDensities SolidGrid::conserved(SolidPoint const& s) const noexcept { return densities_of(impl_->conserved(s)); }
 

@@ -47,8 +47,9 @@ class SolidGrid {
   /// The ledger does not count the change.
   void replace(std::span<Int3 const> cells, std::span<SolidDensities const> averages);
 
-  /// From now on steps update the tiles that hold one of these cells, at a cost in proportion, and leave the others as they
-  /// are: those are for the caller to replace. In the time step tiles left alone count by what is replaced from now on.
+  /// From now on steps update the tiles that hold one of these cells, at a cost in proportion, and leave the others as
+  /// they are: those are for the caller to replace. In the time step tiles left alone count by what is replaced from
+  /// now on.
   void compute_only(std::span<Int3 const> cells);
   /// Whether steps update this cell.
   [[nodiscard]] bool computes(Int3 const& cell) const noexcept;
@@ -70,6 +71,7 @@ class SolidGrid {
   /// the grid goes on bit by bit as that would have from which the averages come.
   [[nodiscard]] double signal_rate() const noexcept;
   void set_signal_rate(double rate) noexcept;
+  [[nodiscard]] double signal_rate_of(SolidDensities const& cell) const noexcept;  ///< what one cell contributes [1/s]
   [[nodiscard]] SolidDensities average(Int3 const& cell) const noexcept;
   [[nodiscard]] SolidPoint primitive(Int3 const& cell) const noexcept;
   /// Conserved densities of a point's state.
