@@ -35,3 +35,16 @@ def band(times, curves, cells, formal=2.0):
         return 3 * np.ptp([fine, medium, coarse], axis=0), order
     used = np.clip(order, 0.5, formal)
     return SAFETY * np.abs(medium - fine) / (r21**used - 1), order
+
+
+def draw_band(axes, cells, curves, colour, what, unit=1.0):
+    """Draws the band about the first of three curves [(t, v), ...], times in `unit`; returns what to say of it [m/s]."""
+    if not cells[0] < cells[1] < cells[2]:
+        return f"{what}: no band, the runs are not of three grids from fine to coarse"
+    times = np.linspace(max(t[0] for t, _ in curves), min(t[-1] for t, _ in curves), 400)
+    width, order = band(times, curves, cells)
+    fine = np.interp(times, *curves[0])
+    axes.fill_between(times / unit, fine - width, fine + width, color=colour, alpha=0.15, lw=0)
+    if np.isnan(order):
+        return f"{what}: not monotone, band is 3 times the spread"
+    return f"{what}: observed order {order:.2f}, GCI {width[-1]:.3g} m/s at the end"

@@ -15,18 +15,6 @@ def curve(run, probe):
     return run.history("time"), run.history(f"probe/{probe}/velocity_z")
 
 
-def draw_band(axes, runs, probe, colour):
-    """About the finest grid's curve; returns what to say of it."""
-    end = min(run.history("time")[-1] for run in runs)
-    times = np.linspace(max(run.history("time")[0] for run in runs), end, 400)
-    width, order = _gci.band(times, [curve(run, probe) for run in runs], [run.cell for run in runs])
-    fine = np.interp(times, *curve(runs[0], probe))
-    axes.fill_between(times / US, fine - width, fine + width, color=colour, alpha=0.15, lw=0)
-    if np.isnan(order):
-        return f"{probe}: not monotone, band is 3 times the spread"
-    return f"{probe}: observed order {order:.2f}, GCI {width[-1]:.3g} m/s at the end"
-
-
 def main():
     runs, out = arguments()
     figure, axes = plt.subplots(figsize=(8, 5), constrained_layout=True)
@@ -42,7 +30,8 @@ def main():
             print(f"{probe}, cells {run.cell * 1e3:.3g} mm: {np.nanmax(velocity):.1f} m/s at most, "
                   f"{velocity[-1]:.1f} m/s at {time[-1] / US:.3g} us")
         if len(runs) >= 3:
-            said.append(draw_band(axes, runs[:3], probe, COLOURS[probe]))
+            said.append(_gci.draw_band(axes, [run.cell for run in runs[:3]], [curve(run, probe) for run in runs[:3]],
+                                       COLOURS[probe], probe, US))
     for line in said:
         print(line)
     axes.set_xlabel("t [us]")

@@ -6,7 +6,6 @@ usage: fig21.py RUN.h5 [RUN.h5 ...] OUT.png; three grids of a body carry a band 
 # needs: tetrahedron
 # needs: equal-mass-cube
 import _gci
-import numpy as np
 from _paper import US, arguments, plt, save
 
 SHAPES = ("disc", "tetrahedron", "cube")
@@ -35,14 +34,8 @@ def draw_group(axes, colour, shape, elastic, runs):
     print(f"{shape}, {law}: {velocity[-1]:.1f} m/s at {time[-1] / US:.3g} us")
     if len(runs) < 3:
         return None
-    end = min(run.history("time")[-1] for run in runs[:3])
-    times = np.linspace(max(run.history("time")[0] for run in runs[:3]), end, 400)
-    width, order = _gci.band(times, [curve(run) for run in runs[:3]], [run.cell for run in runs[:3]])
-    fine = np.interp(times, time, velocity)
-    axes.fill_between(times / US, fine - width, fine + width, color=colour, alpha=0.15, lw=0)
-    if np.isnan(order):
-        return f"{shape}, {law}: not monotone, band is 3 times the spread"
-    return f"{shape}, {law}: observed order {order:.2f}, GCI {width[-1]:.3g} m/s at the end"
+    return _gci.draw_band(axes, [run.cell for run in runs[:3]], [curve(run) for run in runs[:3]], colour,
+                          f"{shape}, {law}", US)
 
 
 def main():
