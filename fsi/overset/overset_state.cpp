@@ -132,6 +132,8 @@ BodyMomentum restore_body(OversetState const& from, std::size_t n, Body& body) {
       body.surface.triangles[t][k] = v, body.around.at(static_cast<std::size_t>(v)).push_back(static_cast<int>(t));
     }
   }
+  // triangles may have been meshed anew since the start: other vertices lie on the planes of symmetry
+  body.cut = find_cut(body.surface, body.cut.mirrors, 1e-3 * body.setup.cell);
   body.triangles.resize(corners.size());
   body.place_triangles();
   Numbers states(array("triangle_states"));

@@ -57,6 +57,10 @@ std::string quoted(std::string const& word) {
 std::string resume_command(RunArguments const& arguments, std::filesystem::path const& out) {
   std::string command = "g27 run " + quoted(arguments.scene);
   for (std::string const& assignment : arguments.set) command += " --set " + quoted(assignment);
+  if (arguments.threads > 0) command += fmt::format(" --threads {}", arguments.threads);
+  if (arguments.checkpoint_s != RunArguments{}.checkpoint_s) {
+    command += fmt::format(" --checkpoint {}", arguments.checkpoint_s);
+  }
   return command + " --out " + quoted(out.string()) + " --resume";
 }
 

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "fsi/overset/gas_integrals.hpp"
+#include "fsi/surface/clip.hpp"
 #include "fsi/surface/gap.hpp"
 #include "fsi/surface/shapes.hpp"
 #include "tests/catch.hpp"
@@ -61,6 +62,36 @@ TEST_CASE("a solver goes on from its state bit by bit") {
     CHECK(whole.counters().first_order == second.counters().first_order);
     CHECK(whole.bodies()[0]->triangles[0].pressure > 1.75e8);  // something did happen
   }
+}
+
+TEST_CASE("a body cut by a plane goes on bit by bit after triangles were meshed anew") {
+  SolidMedium const steel = solid_medium("steel");
+  double const h = size / 16, p = 1e9;
+  Vec3 const u{500, 300, 0};
+  OversetSetup setup;
+  setup.gas = gas_cube(IdealGas{1.4}, size, 16);
+  setup.gas.sides[4].kind = GridBoundary::Kind::wall;
+  TriangleSurface const whole = placed(make_box({6 * h, 6 * h, 6 * h}, h), {0, 0, 1}, 0.6, {0.503, 0.507, 0});
+  setup.bodies.push_back(
+      {.surface = clip_surface(whole, 2, 0, true, 0.3 * h),
+       .material = steel.scheme,
+       .cell = h,
+       .lower = {0.2, 0.2, -0.3},
+       .upper = {0.8, 0.8, 0.3},
+       .initial = [=](Vec3 const&) { return solid_state(steel, steel.rho0 * (1 + p / 175e9), u, p); }});
+  setup.remeshing = {.on = true, .shortest = 0.4, .longest = 0.9};
+  auto const stream = [=](Vec3 const&) { return GasPoint{780, u, p}; };
+  OversetSolver first(setup, stream);
+  std::size_t const vertices = first.bodies()[0]->surface.vertices.size();
+  for (int n = 0; n < 4; ++n) REQUIRE(first.step(1e300).status == StepStatus::ok);
+  CHECK(first.bodies()[0]->surface.vertices.size() > vertices);
+  OversetSolver second(setup, first.state());
+  CHECK(second.bodies()[0]->cut.on_planes == first.bodies()[0]->cut.on_planes);
+  for (int n = 0; n < 3; ++n) {
+    REQUIRE(first.step(1e300).status == StepStatus::ok);
+    REQUIRE(second.step(1e300).status == StepStatus::ok);
+  }
+  CHECK(second.bodies()[0]->surface.vertices == first.bodies()[0]->surface.vertices);
 }
 
 TEST_CASE("a state of another setup is refused") {
