@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <thread>
 
 #include "studies/driver/command.hpp"
@@ -55,12 +56,14 @@ std::string quoted(std::string const& word) {
 
 /// The command that goes on from the checkpoints in `out`.
 std::string resume_command(RunArguments const& arguments, std::filesystem::path const& out) {
-  std::string command = "g27 run " + quoted(arguments.scene);
+  char const* const launcher = std::getenv("G27_LAUNCHER");  // as the user called it
+  std::string command = (launcher != nullptr ? quoted(launcher) : "g27") + " run " + quoted(arguments.scene);
   for (std::string const& assignment : arguments.set) command += " --set " + quoted(assignment);
   if (arguments.threads > 0) command += fmt::format(" --threads {}", arguments.threads);
   if (arguments.checkpoint_s != RunArguments{}.checkpoint_s) {
     command += fmt::format(" --checkpoint {}", arguments.checkpoint_s);
   }
+  if (!arguments.figures) command += " --no-figures";
   return command + " --out " + quoted(out.string()) + " --resume";
 }
 
@@ -105,6 +108,7 @@ int command_run(RunArguments const& arguments) {
     drawn = draw_variants(scene, result, out);
     if (!drawn) fmt::print(stderr, "a figure could not be drawn; the results themselves are complete\n");
   }
+  fmt::print(stderr, "results, tables{} are in {}\n", arguments.figures && drawn ? " and figures" : "", out.string());
   if (arguments.json) {
     fmt::print("{}\n", report.summary);
   } else {
