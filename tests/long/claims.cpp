@@ -32,4 +32,6 @@ TEST_CASE("CFL 0.8 is stable in every symmetry", "[claims]") { CHECK(exit_status
 TEST_CASE("a million Riemann problems are solved to round-off", "[claims]") {
   CHECK(exit_status("study riemann-stress") == 0);
 }
-TEST_CASE("the default scene meets what it expects", "[claims]") { CHECK(exit_status("run") == 0); }
+TEST_CASE("a charge in air and in spheres meets what it expects", "[claims]") {
+  CHECK(exit_status("run tnt-rdx-sphere") == 0);
+}
