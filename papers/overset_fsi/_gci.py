@@ -38,7 +38,7 @@ def band(times, curves, cells, formal=2.0):
 
 
 def draw_band(axes, cells, curves, colour, what, unit=1.0):
-    """Draws the band about the first of three curves [(t, v), ...], times in `unit`; returns what to say of it [m/s]."""
+    """Draws the band about the first of three curves [(t, v), ...], times in `unit`; what to say of it [m/s]."""
     if not cells[0] < cells[1] < cells[2]:
         return f"{what}: no band, the runs are not of three grids from fine to coarse"
     times = np.linspace(max(t[0] for t, _ in curves), min(t[-1] for t, _ in curves), 400)

@@ -1,6 +1,6 @@
 """Figures of the shape that a body on the axis is left in: section and view, and what the axis tells."""
 import numpy as np
-from _paper import CM, STEEL, LineCollection, arguments, axis_points, plt, save, section, solid, view
+from _paper import CM, STEEL, LineCollection, arguments, axis_points, plt, save, section, section_axes, solid, view
 
 
 def facts(first, last):
@@ -36,11 +36,9 @@ def draw(name):
     axes.add_collection(LineCollection((section(first, 1) + [0, shift]) / CM, colors="0.6", linewidths=1))
     axes.add_collection(LineCollection(section(last, 1) / CM, colors="k", linewidths=1.4))
     axes.plot([0, 0], [low / CM, high / CM], "o", color="tab:red", ms=4)
-    axes.set_aspect("equal")
+    section_axes(axes)
     axes.autoscale_view()
     axes.margins(0.1)
-    axes.set_xlabel("x [cm]")
-    axes.set_ylabel("z [cm]")
     axes.set_title("section y = 0 (grey: the initial shape, moved)", fontsize=9)
     for n, (elevation, side) in enumerate(((30, "far side"), (-30, "near side"))):
         axes = figure.add_subplot(1, 3, n + 2, projection="3d")

@@ -4,7 +4,7 @@ usage: fig09.py RUN.h5 OUT.png
 """
 # needs: three-cubes
 import numpy as np
-from _paper import CM, US, arguments, body_plane, draw_section, plt, save
+from _paper import CM, US, arguments, body_plane, draw_section, plt, save, section_axes
 from matplotlib.colors import ListedColormap
 from matplotlib.patches import Patch
 
@@ -26,13 +26,11 @@ def main():
     axes.pcolormesh(nodes[0] / CM, nodes[2] / CM, kind, cmap=ListedColormap([colour for _, colour in KINDS]),
                     vmin=-0.5, vmax=3.5, edgecolors="0.4", linewidth=0.3)
     draw_section(axes, body, linewidths=1.8)
-    axes.set_aspect("equal")
+    section_axes(axes)
     points = body.whole().reshape(-1, 3) / CM
     margin = 3 * body.cell / CM
     axes.set_xlim(points[:, 0].min() - margin, points[:, 0].max() + margin)
     axes.set_ylim(points[:, 2].min() - margin, points[:, 2].max() + margin)
-    axes.set_xlabel("x [cm]")
-    axes.set_ylabel("z [cm]")
     counts = [int(np.count_nonzero(kind == k)) for k in range(4)]
     axes.legend(handles=[Patch(facecolor=colour, edgecolor="0.4", label=f"{name} ({count})")
                          for (name, colour), count in zip(KINDS, counts)], loc="upper center",

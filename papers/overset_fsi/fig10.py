@@ -4,7 +4,7 @@ usage: fig10.py RUN.h5 OUT.png
 """
 # needs: three-cubes
 import numpy as np
-from _paper import CM, US, LineCollection, arguments, body_plane, draw_section, plt, save
+from _paper import CM, US, LineCollection, arguments, body_plane, draw_section, plt, save, section_axes
 
 SHALLOW = 2  # as the results number the kinds of cells
 
@@ -29,11 +29,9 @@ def main():
     for body, state, colour in ((before, old, "k"), (after, new, "tab:red")):
         draw_section(axes, body, colors=colour, linewidths=1.5, label=f"surface at {state.time / US:.3g} us")
     points = np.concatenate([body.whole().reshape(-1, 3) / CM for body in (before, after)])
-    axes.set_aspect("equal")
+    section_axes(axes)
     axes.set_xlim(points[:, 0].min() - 0.2, points[:, 0].max() + 0.2)
     axes.set_ylim(points[:, 2].min() - 0.2, points[:, 2].max() + 0.2)
-    axes.set_xlabel("x [cm]")
-    axes.set_ylabel("z [cm]")
     axes.legend(loc="upper right", fontsize=9)
     axes.set_title(f"Motion of the surface between two states, y = 0\n{run.label(new)}", fontsize=10)
     save(figure, out)

@@ -5,12 +5,13 @@
 #include <fstream>
 #include <iterator>
 #include <map>
-#include <thread>
+#include <optional>
 
 #include "studies/driver/atomic_file.hpp"
 #include "studies/driver/command.hpp"
 #include "studies/driver/figure_needs.hpp"
 #include "studies/driver/input_error.hpp"
+#include "studies/driver/machine_threads.hpp"
 #include "studies/driver/provenance.hpp"
 #include "studies/driver/python.hpp"
 #include "studies/driver/scene_cache.hpp"
@@ -54,9 +55,8 @@ std::vector<FigureNeed> needs_of(fs::path const& script) {
 }
 
 CacheOptions cache_options(FigureArguments const& arguments) {
-  int const machine = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   CacheOptions options;
-  options.threads = arguments.threads > 0 ? arguments.threads : machine;
+  options.threads = threads_or_all(arguments.threads);
   options.any_program = arguments.cached;
   return options;
 }
@@ -86,14 +86,18 @@ bool computed(Scene const& scene, CacheOptions const& options) {
   return state == CacheState::finished || (options.any_program && state == CacheState::of_other_program);
 }
 
-void draw_into(FigureArguments const& arguments, std::string const& name, Strings files) {
+/// The file of the figure; nothing when its script failed.
+std::optional<std::string> drawn(FigureArguments const& arguments, std::string const& name, Strings files) {
   make_output_folder(arguments.out);
-  fs::path const figure = fs::path(arguments.out) / (name + ".png");
-  files.push_back(figure.string());
-  if (!draw(name, files)) {
-    throw OutputError(fmt::format("figure {} was not drawn", name));
-  }
-  fmt::print("{}\n", figure.string());
+  std::string const figure = (fs::path(arguments.out) / (name + ".png")).string();
+  files.push_back(figure);
+  return draw(name, files) ? std::optional(figure) : std::nullopt;
+}
+
+void draw_into(FigureArguments const& arguments, std::string const& name, Strings const& files) {
+  auto const figure = drawn(arguments, name, files);
+  if (!figure) throw OutputError(fmt::format("figure {} was not drawn", name));
+  fmt::print("{}\n", *figure);
 }
 
 /// Of a study or a scene, from where they write their results.
@@ -146,13 +150,10 @@ int gallery(FigureArguments const& arguments) {
   Strings words{"results", build_facts().version + " " + build_facts().commit};
   bool complete = true;
   for (std::string const& name : figure_names()) {
-    Strings files = files_there(name, arguments, options);
+    Strings const files = files_there(name, arguments, options);
     if (files.empty()) continue;
-    make_output_folder(arguments.out);
-    std::string const figure = (fs::path(arguments.out) / (name + ".png")).string();
-    files.push_back(figure);
-    if (draw(name, files)) {
-      words.push_back(figure);
+    if (auto const figure = drawn(arguments, name, files)) {
+      words.push_back(*figure);
     } else {
       complete = false;
     }

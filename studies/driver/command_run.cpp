@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <thread>
 
 #include "studies/driver/command.hpp"
 #include "studies/driver/earlier_results.hpp"
 #include "studies/driver/input_error.hpp"
+#include "studies/driver/machine_threads.hpp"
 #include "studies/driver/python.hpp"
 #include "studies/driver/run_report.hpp"
 #include "studies/driver/scene_check.hpp"
@@ -83,13 +83,12 @@ int command_run(RunArguments const& arguments) {
   }
   require_memory(scene);
   for (std::string const& remark : remarks_on(scene)) fmt::print(stderr, "{}\n", remark);
-  int const machine = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   fmt::print(stderr, "{}: {} run{} into {}\n", scene.title, scene.runs.size(), scene.runs.size() == 1 ? "" : "s",
              out.string());
   EarlierResults const earlier(out);
   if (!arguments.resume) earlier.set_aside();
   SceneResult const result = run_scene(scene, {.out = out,
-                                               .threads = arguments.threads > 0 ? arguments.threads : machine,
+                                               .threads = threads_or_all(arguments.threads),
                                                .resume = arguments.resume,
                                                .checkpoint_s = arguments.checkpoint_s});
   if (result.interrupted != 0) {
