@@ -45,9 +45,11 @@ bool asleep(Body const& body) {
       if (!at_rest(q, p, close)) return false;
     }
   }
-  for (std::size_t i = 0; i < body.solid.kinds.count(); ++i) {
-    if (body.solid.kinds.valid(i) && !at_rest(body.solid.states[i], p, close)) return false;
-  }
+  bool quiet = true;
+  body.solid.kinds.for_each_near(0, [&](std::size_t i) {
+    quiet = quiet && (!body.solid.kinds.valid(i) || at_rest(body.solid.states[i], p, close));
+  });
+  if (!quiet) return false;
   // What comes, comes through deep cells: there the last bit counts.
   CellKinds const& kinds = body.gas.kinds;
   GasFields const* deep = nullptr;
@@ -68,7 +70,6 @@ bool asleep(Body const& body) {
     }
   }
   // of other bodies as well
-  bool quiet = true;
   int const most = *std::max_element(kinds.box().size.begin(), kinds.box().size.end());
   body.gas.donors.for_each_near(lower, most, [&](CloudPoint<GasFields> const& c) { quiet = quiet && still(c.q); });
   return quiet;

@@ -82,8 +82,14 @@ struct Body {
   void connect();
   /// Frames, centres and areas by the vertices.
   void place_triangles();
+  /// Donors about the triangles, of one thread in one step; neighbours share them.
+  struct Nearby {
+    explicit Nearby(Body const& body) : gas(body.gas.donors), solid(body.solid.donors) {}
+    Donors<GasFields>::Around gas;
+    Donors<SolidFields>::Around solid;
+  };
   /// Cells of the model problem of a triangle, from time-n data alone.
-  [[nodiscard]] ModelStencil stencil(std::size_t triangle) const;
+  [[nodiscard]] ModelStencil stencil(std::size_t triangle, Nearby& nearby) const;
   /// In-plane gradient of the solid's velocity of that stencil, for the vertices.
   [[nodiscard]] std::array<Vec3, 2> velocity_gradient(std::size_t triangle, ModelStencil const& s) const;
   /// Vertices by the velocities of the triangles around them.

@@ -49,9 +49,9 @@ BodyIntegrals integrals(Body const& body, int rays) {
   BodyIntegrals out;
   out.volume = enclosed(body).volume;
   double all = 0, cut = 0;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    all += parts[i].share;
-    if (!kinds.valid(i)) cut += parts[i].share;
+  for (CellPart const& part : parts) {
+    all += part.share;
+    if (!kinds.valid(part.cell)) cut += part.share;
   }
   double const scale = cut > 0 ? 1 + (out.volume / cell - all) / cut : 1.0;
   struct Piece {
@@ -60,13 +60,13 @@ BodyIntegrals integrals(Body const& body, int rays) {
   };
   std::vector<Piece> pieces;
   Vec3 first{0, 0, 0};
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (!(parts[i].share > 0)) continue;
+  for (CellPart const& part : parts) {
+    std::size_t const i = part.cell;
     bool const whole = kinds.valid(i);
-    Vec3 const x = whole ? kinds.centre(kinds.cell(i)) : (1 / parts[i].share) * parts[i].moment;
+    Vec3 const x = whole ? kinds.centre(kinds.cell(i)) : (1 / part.share) * part.moment;
     SolidFields const q =
         whole ? body.solid.states[i] : body.solid.donors.at(x, Donors<SolidFields>::From::valid, body.background);
-    double const m = cell * q[f::rho] * (whole ? 1.0 : scale * parts[i].share);
+    double const m = cell * q[f::rho] * (whole ? 1.0 : scale * part.share);
     Vec3 const u = velocity_of(q);
     pieces.push_back({m, x, u});
     out.mass += m, out.momentum = out.momentum + m * u, first = first + m * x;

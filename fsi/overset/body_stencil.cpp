@@ -71,17 +71,15 @@ void set_traction(SolidFields& q, Vec3 const& m, double pressure) noexcept {
 
 }  // namespace
 
-ModelStencil Body::stencil(std::size_t triangle) const {
+ModelStencil Body::stencil(std::size_t triangle, Nearby& nearby) const {
   TriangleState const& t = triangles[triangle];
   Frame const& f = t.frame;
   double const h_gas = gas.kinds.box().h, h = setup.cell;
   ModelStencil s{};
   s.velocity = f.into(t.velocity);
   ModelStencil::Cells<bool> there{};
-  thread_local Donors<GasFields>::Around gas_near;
-  thread_local Donors<SolidFields>::Around solid_near;
-  gas_near.reset(gas.donors, t.centre + (1.5 * h_gas) * f.n, f);
-  solid_near.reset(solid.donors, t.centre - (1.5 * h) * f.n, f);
+  nearby.gas.reset(t.centre + (1.5 * h_gas) * f.n, f);
+  nearby.solid.reset(t.centre - (1.5 * h) * f.n, f);
   auto const place = [&](double depth, double width, std::size_t a, std::size_t b) {
     return t.centre + depth * f.n + ((static_cast<double>(a) - 1) * width) * f.a +
            ((static_cast<double>(b) - 1) * width) * f.b;
@@ -111,7 +109,7 @@ ModelStencil Body::stencil(std::size_t triangle) const {
     } else if (unread) {
       s.gas[k][a][b] = s.gas[1][1][1];
     } else if (gas.kinds.in_medium(x)) {
-      s.gas[k][a][b] = into_frame(f, gas_near.at(x, t.gas[0]));
+      s.gas[k][a][b] = into_frame(f, nearby.gas.at(x, t.gas[0]));
     } else {
       // a mirror of the layer's centre, which is known already or (layer 2) the layer before
       GasFields q = s.gas[std::min<std::size_t>(k, core_layers - 1)][1][1];
@@ -124,7 +122,7 @@ ModelStencil Body::stencil(std::size_t triangle) const {
     } else if (unread && whole) {
       s.solid[k][a][b] = s.solid[1][1][1];
     } else if (there[k][a][b]) {
-      s.solid[k][a][b] = into_frame(f, solid_near.at(in_layer(k, -h, a, b), t.solid[0]));
+      s.solid[k][a][b] = into_frame(f, nearby.solid.at(in_layer(k, -h, a, b), t.solid[0]));
     }
   });
   Vec3 const fourth = in_layer(3, h_gas, 1, 1);
@@ -150,9 +148,10 @@ ModelStencil Body::stencil(std::size_t triangle) const {
     double best = 1e300;
     Wall found{f.n, t.pressure};
     solid.donors.for_each_near(x, 2, [&](CloudPoint<SolidFields> const& point) {
+      Vec3 const r = point.foot - x;
+      if (!(dot(r, r) < best)) return;
       TriangleState const& other = triangles[static_cast<std::size_t>(point.triangle)];
-      Vec3 const r = cut.mirrors.image(other.centre, point.image) - x;
-      if (dot(r, r) < best) best = dot(r, r), found = {reflected(other.frame.n, point.image), other.pressure};
+      best = dot(r, r), found = {reflected(other.frame.n, point.image), other.pressure};
     });
     return found;
   };

@@ -42,9 +42,9 @@ double close_momentum(Body& body, BodyMomentum const& held) {
     for (std::size_t a = 0; a < 3; ++a) q[solid_field_of::u + a] += v[a];
   };
   CellKinds const& kinds = body.solid.kinds;
-  for (std::size_t i = 0; i < kinds.count(); ++i) {
+  kinds.for_each_near(cells_around, [&](std::size_t i) {
     if (kinds.valid(i)) add(body.solid.states[i], kinds.centre(kinds.cell(i)));
-  }
+  });
   for (TriangleState& t : body.triangles) {
     for (std::size_t k = 0; k < core_layers; ++k) {
       add(t.solid[k], core_centre(t, k, -body.setup.cell));

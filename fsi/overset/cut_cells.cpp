@@ -1,16 +1,18 @@
 #include "fsi/overset/cut_cells.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace g27 {
 
 std::vector<CellPart> parts_within(CellKinds const& kinds, int rays) {
   WindowBox const& box = kinds.box();
-  std::vector<CellPart> parts(kinds.count());
+  CellBlock const near = kinds.near(0);
+  std::vector<CellPart> parts, row(static_cast<std::size_t>(box.size[0]));
   std::vector<double> crossings;
   double const piece = 1.0 / (rays * rays), inverse = 1 / box.h;
-  for (int k = 0; k < box.size[2]; ++k) {
-    for (int j = 0; j < box.size[1]; ++j) {
+  for (int k = near.first[2]; k <= near.last[2]; ++k) {
+    for (int j = near.first[1]; j <= near.last[1]; ++j) {
       if (kinds.is_image(static_cast<std::size_t>(kinds.index({-box.first[0], j, k})))) continue;
       Vec3 const middle = kinds.centre({0, j, k});
       for (int ray = 0; ray < rays * rays; ++ray) {
@@ -24,11 +26,16 @@ std::vector<CellPart> parts_within(CellKinds const& kinds, int rays) {
             double const x = box.lower[0] + (box.first[0] + i) * box.h;
             double const low = std::max(from, x), high = std::min(to, x + box.h);
             if (high <= low) continue;
-            CellPart& p = parts[static_cast<std::size_t>(kinds.index({i, j, k}))];
+            CellPart& p = row[static_cast<std::size_t>(i)];
             double const w = (high - low) * inverse * piece;
             p.share += w, p.moment = p.moment + w * Vec3{0.5 * (low + high), y, z};
           }
         }
+      }
+      for (std::size_t i = 0; i < row.size(); ++i) {
+        if (!(row[i].share > 0)) continue;
+        row[i].cell = static_cast<std::size_t>(kinds.index({static_cast<int>(i), j, k}));
+        parts.push_back(std::exchange(row[i], {}));
       }
     }
   }

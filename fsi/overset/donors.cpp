@@ -10,6 +10,7 @@ namespace g27 {
 namespace {
 
 constexpr double reach = 1.6;          ///< radius of the donors, in cells
+constexpr double around = 1;           ///< from the place of one local grid to others that share its donors, in cells
 constexpr double widen = 1.5;          ///< by which it grows when there are too few
 constexpr std::size_t fewest = 5;      ///< donors
 constexpr double least_moment = 0.02;  ///< of the sum of the weights, along a direction in which a slope is fitted
@@ -73,12 +74,16 @@ void Donors<Fields>::update() {
 
 template <class Fields>
 void Donors<Fields>::set_cloud(std::vector<CloudPoint<Fields>> const& points, bool dense) {
+  block_ = kinds_.near(cells_around);
   auto const cell = [&](CloudPoint<Fields> const& p) {
-    return static_cast<std::size_t>(kinds_.index(kinds_.cell_of(p.x)));
+    Int3 c = kinds_.cell_of(p.x);
+    for (std::size_t a = 0; a < 3; ++a) c[a] = std::clamp(c[a], block_.first[a], block_.last[a]);
+    return in_block(c);
   };
-  first_.assign(kinds_.count() + 1, 0);
+  std::size_t const cells = block_.count();
+  first_.assign(cells + 1, 0);
   for (auto const& p : points) ++first_[cell(p) + 1];
-  for (std::size_t i = 0; i < kinds_.count(); ++i) first_[i + 1] += first_[i];
+  for (std::size_t i = 0; i < cells; ++i) first_[i + 1] += first_[i];
   std::vector<std::size_t> next = first_;
   cloud_.resize(points.size());
   for (auto const& p : points) cloud_[next[cell(p)]++] = p;
@@ -101,7 +106,7 @@ void Donors<Fields>::merge_cloud() requires of_gas {
     int count = 0;
   };
   std::size_t kept = 0, from = 0;
-  for (std::size_t cell = 0; cell < kinds_.count(); ++cell) {
+  for (std::size_t cell = 0; cell + 1 < first_.size(); ++cell) {
     std::size_t const to = first_[cell + 1];
     std::array<Mean, 8> octants{};
     for (std::size_t n = std::exchange(from, to); n < to; ++n) {
@@ -130,13 +135,12 @@ void Donors<Fields>::merge_cloud() requires of_gas {
       ++kept;
     }
   }
-  first_[kinds_.count()] = kept;
+  first_.back() = kept;
   cloud_.resize(kept);
 }
 
 template <class Fields>
-template <class Wanted>
-void Donors<Fields>::gather(Vec3 const& x, double radius, From from, Wanted const& wanted, Gathered& out) const {
+void Donors<Fields>::gather(Vec3 const& x, double radius, From from, Gathered& out) const {
   out.clear();
   WindowBox const& box = kinds_.box();
   double const inverse = 1 / box.h, limit = radius * radius;
@@ -158,7 +162,7 @@ void Donors<Fields>::gather(Vec3 const& x, double radius, From from, Wanted cons
         std::size_t n = static_cast<std::size_t>(kinds_.index({first, j, k}));
         for (int i = first; i <= last; ++i, ++n) {
           Vec3 const r{i + 0.5 - at[0], y, z};
-          if (gives(n, from) && wanted(r)) out.add(r, states_[n], of_gas ? energy_[n] : 0.0);
+          if (gives(n, from)) out.add(r, states_[n], of_gas ? energy_[n] : 0.0);
         }
       }
       // from the nearest point of the row
@@ -172,7 +176,7 @@ void Donors<Fields>::gather(Vec3 const& x, double radius, From from, Wanted cons
       auto const [from_point, to_point] = in_row(first, last, j, k);
       for (std::size_t p = from_point; p < to_point; ++p) {
         Vec3 const r = inverse * (where_[p] - x);
-        if (dot(r, r) < limit && wanted(r)) out.add(r, cloud_[p].q, cloud_energy_[p]);
+        if (dot(r, r) < limit) out.add(r, cloud_[p].q, cloud_energy_[p]);
       }
     }
   }
@@ -224,33 +228,61 @@ bool Donors<Fields>::multilinear(Vec3 const& x, From from, Fields& out) const {
 
 template <class Fields>
 void Donors<Fields>::Gathered::grow() {
-  std::size_t const most = std::max<std::size_t>(256, 2 * x_.size());
-  x_.resize(most), y_.resize(most), z_.resize(most), q_.resize(most * stride);
+  std::size_t const most = std::max<std::size_t>(512, 2 * x_.size());
+  x_.resize(most), y_.resize(most), z_.resize(most), energy_.resize(most), row_.resize(most);
 }
 
 template <class Fields>
 void Donors<Fields>::Gathered::pad() {
-  while (count_ % fit_padding != 0) add({far_away, 0, 0}, {});
+  if (count_ + fit_padding > x_.size()) grow();
+  std::size_t const padded = (count_ + fit_padding - 1) / fit_padding * fit_padding;
+  for (std::size_t i = count_; i < padded; ++i) x_[i] = far_away, y_[i] = z_[i] = 0;
+}
+
+template <class Fields>
+void Donors<Fields>::Gathered::take(Gathered const& wide, Vec3 const& middle, Frame const& frame, double half,
+                                    double radius) {
+  thread_local std::vector<int> kept;
+  kept.resize(wide.count_ + fit_padding);
+  NearCubeArguments g{.donors = wide.count_,
+                      .x = wide.x_.data(),
+                      .y = wide.y_.data(),
+                      .z = wide.z_.data(),
+                      .middle = middle,
+                      .axes = {frame.n, frame.a, frame.b},
+                      .half = half,
+                      .limit = radius * radius,
+                      .kept = kept.data()};
+  fit_kernels().near_cube(g);
+  while (g.count + fit_padding > x_.size()) grow();
+  count_ = g.count;
+  for (std::size_t n = 0; n < count_; ++n) {
+    std::size_t const i = static_cast<std::size_t>(kept[n]);
+    x_[n] = wide.x_[i] - middle[0], y_[n] = wide.y_[i] - middle[1], z_[n] = wide.z_[i] - middle[2];
+    row_[n] = wide.row_[i], energy_[n] = wide.energy_[i];
+  }
+  pad();
 }
 
 template <class Fields>
 bool Donors<Fields>::Gathered::fit(Vec3 const& r, double radius, std::size_t few, Law const& law, Fields& out) const {
   thread_local std::vector<double> weight;
   thread_local std::vector<int> near;
-  weight.resize(count_), near.resize(count_ + 1);
-  alignas(64) double value[stride], low[stride], high[stride];
+  weight.resize(count_ + fit_padding), near.resize(count_ + fit_padding);
+  Fields low, high, value;
   FitArguments g{.donors = count_,
                  .x = x_.data(),
                  .y = y_.data(),
                  .z = z_.data(),
-                 .q = q_.data(),
+                 .q = row_.data(),
+                 .energy = energy_.data(),
                  .at = r,
                  .limit = radius * radius,
                  .weight = weight.data(),
                  .near = near.data(),
-                 .out = value,
-                 .low = low,
-                 .high = high};
+                 .out = value.data(),
+                 .low = low.data(),
+                 .high = high.data()};
   FitKernels const& kernels = fit_kernels();
   kernels.moments(g);
   if (g.count < few) return false;
@@ -267,7 +299,7 @@ bool Donors<Fields>::Gathered::fit(Vec3 const& r, double radius, std::size_t few
   if constexpr (of_gas) {
     double const rho = std::clamp(g.mass, low[gas_field::rho], high[gas_field::rho]);
     for (double& x : value) x /= rho;
-    value[gas_field::rho] = rho, energy = value[gas_field::energy];
+    value[gas_field::rho] = rho, energy = g.mean_energy / rho;
   }
   for (std::size_t f = 0; f < out.size(); ++f) {
     double const more = is_velocity(f) ? high[f] - low[f] : 0.0;
@@ -286,8 +318,7 @@ Fields Donors<Fields>::at(Vec3 const& x, From from, Fields const& otherwise) con
   thread_local Gathered donors;
   double radius = reach;
   for (int tries = 0; tries < 4; ++tries, radius *= widen) {
-    gather(
-        x, radius, from, [](Vec3 const&) { return true; }, donors);
+    gather(x, radius, from, donors);
     if (donors.size() >= fewest) break;
   }
   if (donors.size() == 0) return otherwise;
@@ -296,31 +327,26 @@ Fields Donors<Fields>::at(Vec3 const& x, From from, Fields const& otherwise) con
 }
 
 template <class Fields>
-void Donors<Fields>::Around::reset(Donors const& donors, Vec3 const& centre, Frame const& frame) {
-  donors_ = &donors;
-  WindowBox const& box = donors.kinds_.box();
+void Donors<Fields>::Around::reset(Vec3 const& centre, Frame const& frame) {
+  WindowBox const& box = donors_.kinds_.box();
   for (std::size_t a = 0; a < 3; ++a) centre_[a] = (centre[a] - box.lower[a]) / box.h - box.first[a];
   constexpr double half = 1 + 1e-9, diagonal = 1.7321;
-  auto const within_reach = [&](Vec3 const& r) {
-    double square = 0;
-    for (double const x : frame.into(r)) {
-      double const beyond = std::max(0.0, std::fabs(x) - half);
-      square += beyond * beyond;
-    }
-    return square < reach * reach;
-  };
-  donors.gather(centre, diagonal + reach, From::valid, within_reach, near_);
-  near_.pad();
+  Vec3 from = centre_ - wide_centre_;
+  if (!(dot(from, from) < around * around)) {
+    donors_.gather(centre, diagonal + reach + around, From::valid, wide_);
+    wide_.pad(), wide_centre_ = centre_, from = {0, 0, 0};
+  }
+  near_.take(wide_, from, frame, half, reach);
 }
 
 template <class Fields>
 Fields Donors<Fields>::Around::at(Vec3 const& x, Fields const& otherwise) const {
   Fields out{};
-  if (donors_->multilinear(x, From::valid, out)) return out;
-  WindowBox const& box = donors_->kinds_.box();
+  if (donors_.multilinear(x, From::valid, out)) return out;
+  WindowBox const& box = donors_.kinds_.box();
   Vec3 r{};
   for (std::size_t a = 0; a < 3; ++a) r[a] = (x[a] - box.lower[a]) / box.h - box.first[a] - centre_[a];
-  return near_.fit(r, reach, fewest, donors_->law_, out) ? out : donors_->at(x, From::valid, otherwise);
+  return near_.fit(r, reach, fewest, donors_.law_, out) ? out : donors_.at(x, From::valid, otherwise);
 }
 
 template class Donors<GasFields>;

@@ -35,42 +35,44 @@ class Donors {
   /// `otherwise`: where nothing is near.
   [[nodiscard]] Fields at(Vec3 const& x, From from, Fields const& otherwise) const;
 
-  /// Donors about a place: where they are, in cells from it, and their states.
+  /// Donors about a place: where they are, in cells from it, and their states, which must not change meanwhile.
   class Gathered {
    public:
     void clear() noexcept { count_ = 0; }
     [[nodiscard]] std::size_t size() const noexcept { return count_; }
-    void add(Vec3 const& r, Fields const& q, double energy = 0) {
-      if (count_ == x_.size()) grow();
+    void add(Vec3 const& r, Fields const& q, double energy) {
+      if (count_ + fit_padding > x_.size()) grow();
       x_[count_] = r[0], y_[count_] = r[1], z_[count_] = r[2];
-      double* const row = &q_[count_ * stride];
-      for (std::size_t f = 0; f < q.size(); ++f) row[f] = q[f];
-      if constexpr (of_gas) row[gas_field::energy] = energy;
+      row_[count_] = q.data(), energy_[count_] = energy;
       ++count_;
     }
+    /// Those of `wide` that are within `radius` of a cube of half width `half` about `middle` along the frame's axes.
+    void take(Gathered const& wide, Vec3 const& middle, Frame const& frame, double half, double radius);
     /// Once all are there.
     void pad();
     /// The fit at r to those within `radius`; false if these are fewer than `fewest`.
     bool fit(Vec3 const& r, double radius, std::size_t fewest, Law const& law, Fields& out) const;
 
    private:
-    static constexpr std::size_t stride = padded_fields(std::tuple_size_v<Fields>);
     void grow();
     std::size_t count_ = 0;
-    std::vector<double> x_, y_, z_, q_;
+    std::vector<double> x_, y_, z_, energy_;
+    std::vector<double const*> row_;
   };
 
-  /// Donors that are valid about a place, collected once for the many points of a local grid.
+  /// Donors that are valid about a place, collected once for the many points of a local grid, and what they are taken
+  /// from for the places around as well. As long as donors and cloud stay as they are.
   class Around {
    public:
+    explicit Around(Donors const& donors) : donors_(donors) {}
     /// For points up to a cell from `centre` along each of the frame's axes.
-    void reset(Donors const& donors, Vec3 const& centre, Frame const& frame);
+    void reset(Vec3 const& centre, Frame const& frame);
     [[nodiscard]] Fields at(Vec3 const& x, Fields const& otherwise) const;
 
    private:
-    Donors const* donors_ = nullptr;
-    Vec3 centre_{0, 0, 0};  ///< in cells of the window
-    Gathered near_;
+    Donors const& donors_;
+    Vec3 wide_centre_{1e300, 0, 0}, centre_{0, 0, 0};  ///< in cells of the window
+    Gathered wide_, near_;
   };
 
   /// Calls f with the cloud's points in the cells up to `cells` away from that of x.
@@ -95,13 +97,18 @@ class Donors {
   }
   /// The cloud's points in the cells (i0..i1, j, k): from the first to before the second.
   [[nodiscard]] std::array<std::size_t, 2> in_row(int i0, int i1, int j, int k) const noexcept {
-    if (cloud_.empty()) return {0, 0};
-    return {first_[static_cast<std::size_t>(kinds_.index({i0, j, k}))],
-            first_[static_cast<std::size_t>(kinds_.index({i1, j, k})) + 1]};
+    CellBlock const& b = block_;
+    i0 = std::max(i0, b.first[0]), i1 = std::min(i1, b.last[0]);
+    if (i0 > i1 || j < b.first[1] || j > b.last[1] || k < b.first[2] || k > b.last[2]) return {0, 0};
+    return {first_[in_block({i0, j, k})], first_[in_block({i1, j, k}) + 1]};
   }
-  /// Those within a radius of x for which wanted(r) holds, r from x in cells.
-  template <class Wanted>
-  void gather(Vec3 const& x, double radius, From from, Wanted const& wanted, Gathered& out) const;
+  [[nodiscard]] std::size_t in_block(Int3 const& c) const noexcept {
+    auto const along = [&](std::size_t a) { return static_cast<std::size_t>(c[a] - block_.first[a]); };
+    auto const size = [&](std::size_t a) { return static_cast<std::size_t>(block_.last[a] - block_.first[a] + 1); };
+    return along(0) + size(0) * (along(1) + size(1) * along(2));
+  }
+  /// Those within a radius of x, in cells; where they are, from x.
+  void gather(Vec3 const& x, double radius, From from, Gathered& out) const;
   [[nodiscard]] bool multilinear(Vec3 const& x, From from, Fields& out) const;
 
   CellKinds const& kinds_;
@@ -110,7 +117,8 @@ class Donors {
   std::vector<double> energy_, cloud_energy_;  ///< of gas, total per mass, of the valid cells and of the cloud [J/kg]
   std::vector<CloudPoint<Fields>> cloud_;      ///< in the order of the cells they lie in
   std::vector<Vec3> where_;         ///< their places: they are searched more often than their states are read
-  std::vector<std::size_t> first_;  ///< of the points in each cell of the window, and one more
+  CellBlock block_;                 ///< cells of the window that the cloud can lie in
+  std::vector<std::size_t> first_;  ///< of the points in each cell of the block, and one more
 };
 
 extern template class Donors<GasFields>;

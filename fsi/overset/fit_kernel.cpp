@@ -11,6 +11,26 @@ namespace {
 constexpr std::size_t lanes = width<Simd>;
 static_assert(fit_padding % lanes == 0);
 
+void near_cube(NearCubeArguments& g) noexcept {
+  Simd const x0 = g.middle[0], y0 = g.middle[1], z0 = g.middle[2], half = g.half, limit = g.limit;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < g.donors; i += lanes) {
+    Simd const x = load<Simd>(g.x + i) - x0, y = load<Simd>(g.y + i) - y0, z = load<Simd>(g.z + i) - z0;
+    Simd square = 0;
+    for (auto const& axis : g.axes) {
+      Simd const beyond = max(abs(axis[0] * x + axis[1] * y + axis[2] * z) - half, Simd(0));
+      square += beyond * beyond;
+    }
+    auto const inside = square < limit;
+    if (!any(inside)) continue;
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      g.kept[count] = static_cast<int>(i + lane);
+      count += inside[lane] ? 1 : 0;
+    }
+  }
+  g.count = count;
+}
+
 void moments(FitArguments& g) noexcept {
   Simd const x0 = g.at[0], y0 = g.at[1], z0 = g.at[2], limit = g.limit;
   Simd sum = 0, x1 = 0, y1 = 0, z1 = 0, xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
@@ -38,27 +58,37 @@ void moments(FitArguments& g) noexcept {
 
 template <std::size_t fields, bool by_mass>
 void combine(FitArguments& g) noexcept {
-  constexpr std::size_t rows = fields / lanes;
-  Simd out[rows], low[rows], high[rows];
-  double const* const first = g.q + fields * static_cast<std::size_t>(g.near[0]);
+  constexpr std::size_t rows = fields / lanes, rest = fields % lanes, at_rest = rows * lanes;
+  Simd out[rows + 1], low[rows + 1], high[rows + 1];
+  double out_rest[rest + 1], low_rest[rest + 1], high_rest[rest + 1];
+  double const* const first = g.q[g.near[0]];
   for (std::size_t r = 0; r < rows; ++r) out[r] = 0, low[r] = high[r] = load<Simd>(first + r * lanes);
-  double total = 0, mass = 0;
+  for (std::size_t f = 0; f < rest; ++f) out_rest[f] = 0, low_rest[f] = high_rest[f] = first[at_rest + f];
+  double total = 0, mass = 0, energy = 0;
   for (std::size_t n = 0; n < g.count; ++n) {
     std::size_t const i = static_cast<std::size_t>(g.near[n]);
+    double const* const q = g.q[i];
     double const share = g.weight[i] * (g.level + g.slope[0] * (g.x[i] - g.at[0]) + g.slope[1] * (g.y[i] - g.at[1]) +
                                         g.slope[2] * (g.z[i] - g.at[2]));
     total += share;
-    double const weight = by_mass ? share * g.q[fields * i] : share;
-    if constexpr (by_mass) mass += weight;
+    double const weight = by_mass ? share * q[0] : share;
+    if constexpr (by_mass) mass += weight, energy += weight * g.energy[i];
     for (std::size_t r = 0; r < rows; ++r) {
-      Simd const q = load<Simd>(g.q + fields * i + r * lanes);
-      out[r] += weight * q, low[r] = min(low[r], q), high[r] = max(high[r], q);
+      Simd const row = load<Simd>(q + r * lanes);
+      out[r] += weight * row, low[r] = min(low[r], row), high[r] = max(high[r], row);
+    }
+    for (std::size_t f = 0; f < rest; ++f) {
+      double const one = q[at_rest + f];
+      out_rest[f] += weight * one, low_rest[f] = min(low_rest[f], one), high_rest[f] = max(high_rest[f], one);
     }
   }
-  g.mass = mass / total;
+  g.mass = mass / total, g.mean_energy = energy / total;
   for (std::size_t r = 0; r < rows; ++r) {
     store<Simd>(g.out + r * lanes, out[r] / total);
     store(g.low + r * lanes, low[r]), store(g.high + r * lanes, high[r]);
+  }
+  for (std::size_t f = 0; f < rest; ++f) {
+    g.out[at_rest + f] = out_rest[f] / total, g.low[at_rest + f] = low_rest[f], g.high[at_rest + f] = high_rest[f];
   }
 }
 
@@ -82,10 +112,10 @@ void multilinear(EightArguments const& g) noexcept {
 }  // namespace
 
 extern FitKernels const fit_loops;
-constexpr FitKernels fit_loops{
-    .moments = &moments,
-    .combine = {&combine<padded_fields(gas_field::count), true>, &combine<padded_fields(solid_field_of::count), false>},
-    .multilinear = {&multilinear<gas_field::count>, &multilinear<solid_field_of::count>}};
+constexpr FitKernels fit_loops{.near_cube = &near_cube,
+                               .moments = &moments,
+                               .combine = {&combine<gas_field::count, true>, &combine<solid_field_of::count, false>},
+                               .multilinear = {&multilinear<gas_field::count>, &multilinear<solid_field_of::count>}};
 
 }  // namespace G27_ISA
 }  // namespace g27

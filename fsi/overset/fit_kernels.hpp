@@ -6,21 +6,28 @@
 namespace g27 {
 
 inline constexpr double fit_softening = 0.1;   ///< of the weights 1/(r^2 + softening)
-inline constexpr std::size_t fit_padding = 8;  ///< donors and fields are padded to a multiple
+inline constexpr std::size_t fit_padding = 8;  ///< donors are padded to a multiple
 
-/// Fields in a donor's row.
-constexpr std::size_t padded_fields(std::size_t fields) noexcept {
-  return (fields + fit_padding - 1) / fit_padding * fit_padding;
-}
+/// Which of the donors are within a radius of a cube: kept[0 .. count).
+struct NearCubeArguments {
+  std::size_t donors = 0;  ///< padded as those of a fit
+  double const *x = nullptr, *y = nullptr, *z = nullptr;
+  std::array<double, 3> middle{};
+  std::array<std::array<double, 3>, 3> axes{};  ///< of the cube, of length 1
+  double half = 0, limit = 0;                   ///< half its width; square of the radius
+  int* kept = nullptr;                          ///< room for the donors and their padding
+  std::size_t count = 0;
+};
 
 /// A weighted linear fit at a point, in two passes between which the caller finds the slope.
 struct FitArguments {
   std::size_t donors = 0;                                 ///< those beyond, up to the padding, are far away
   double const *x = nullptr, *y = nullptr, *z = nullptr;  ///< places of the donors, in cells
-  double const* q = nullptr;                              ///< [donor][padded field]
+  double const* const* q = nullptr;                       ///< [donor] -> its fields
+  double const* energy = nullptr;                         ///< [donor], of those that weigh by mass
   std::array<double, 3> at{};                             ///< the point
   double limit = 0;                                       ///< square of the donors' radius
-  // scratch, as many as donors
+  // scratch, as many as donors with their padding
   double* weight = nullptr;  ///< 0 for those that are too far away
   int* near = nullptr;       ///< the others
   // out of the first pass: those near, sum of the weights, first and second moments about the point
@@ -31,8 +38,8 @@ struct FitArguments {
   // into the second: shares are weight (level + slope.r), over their sum
   double level = 0;
   std::array<double, 3> slope{};
-  double *out = nullptr, *low = nullptr, *high = nullptr;  ///< [padded field], also the donors' range
-  double mass = 0;                                         ///< sum of the shares of field 0, where they weigh by it
+  double *out = nullptr, *low = nullptr, *high = nullptr;  ///< [field], also the donors' range
+  double mass = 0, mean_energy = 0;  ///< sums of the shares of field 0 and of it times the energy, where it weighs
 };
 
 /// out = sum of w q over eight rows, within their range: round-off would not let a uniform state stay uniform.
@@ -43,8 +50,9 @@ struct EightArguments {
 };
 
 struct FitKernels {
+  void (*near_cube)(NearCubeArguments&);
   void (*moments)(FitArguments&);
-  /// Rows of 8, of 16; those of 8, the gas's, weigh by field 0, the density.
+  /// Of the gas's fields, which weigh by field 0, the density; of the solid's.
   std::array<void (*)(FitArguments&), 2> combine;
   std::array<void (*)(EightArguments const&), 2> multilinear;  ///< of the gas's fields, of the solid's
 };

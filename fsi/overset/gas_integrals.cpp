@@ -16,8 +16,8 @@ struct NearCell {
   Vec3 centre;   ///< of that part [m]
 };
 
-/// Each cell of the bodies' windows once. Parts of cut cells within the bodies are scaled, so that they and the whole
-/// cells add up to the polyhedra's volume.
+/// Each cell that is partly within bodies, once. Parts of cut cells within the bodies are scaled, so that they and the
+/// whole cells add up to the polyhedra's volume.
 std::vector<NearCell> near_cells(OversetSolver const& solver, int rays) {
   Int3 const n = solver.gas().cells();
   std::vector<bool> seen(solver.bodies().size() > 1 ? cells_in(n) : 0);
@@ -27,8 +27,8 @@ std::vector<NearCell> near_cells(OversetSolver const& solver, int rays) {
   for (auto const& body : solver.bodies()) {
     volume += enclosed(*body).volume;
     CellKinds const& kinds = body->gas.kinds;
-    auto const parts = parts_within(kinds, rays);
-    for (std::size_t i = 0; i < parts.size(); ++i) {
+    for (CellPart const& part : parts_within(kinds, rays)) {
+      std::size_t const i = part.cell;
       if (kinds.is_image(i)) continue;
       Int3 const cell = kinds.in_grid(kinds.cell(i));
       if (!seen.empty()) {
@@ -37,10 +37,10 @@ std::vector<NearCell> near_cells(OversetSolver const& solver, int rays) {
         seen[at] = true;
       }
       bool const is_cut = kinds.kind(i) == CellKind::cut;
-      double const inside = is_cut ? parts[i].share : kinds.valid(i) ? 0.0 : 1.0;
+      double const inside = is_cut ? part.share : kinds.valid(i) ? 0.0 : 1.0;
       (is_cut ? cut : whole) += inside;
       out.push_back({body.get(), cell, 1 - inside, kinds.centre(kinds.cell(i))});
-      moments.push_back(parts[i].moment);
+      moments.push_back(part.moment);
     }
   }
   double const h = solver.gas().widths()[0], scale = cut > 0 ? (volume / (h * h * h) - whole) / cut : 1.0;

@@ -64,7 +64,7 @@ struct OversetSolver::Impl {
     for (std::size_t n = 0; n < bodies.size(); ++n) sleeping[n] = from.at("sleeping").at(n) != 0 ? 1 : 0;
     classify();
     for (auto const& b : bodies) b->gas.update(), b->solid.update();
-    set_clouds();
+    set_gas_clouds(), set_solid_clouds();
   }
 
   [[nodiscard]] OversetState state() const {
@@ -128,9 +128,9 @@ struct OversetSolver::Impl {
   static void compute_deep_cells(Body& b) {
     std::vector<Int3> deep;
     CellKinds const& kinds = b.solid.kinds;
-    for (std::size_t i = 0; i < kinds.count(); ++i) {
+    kinds.for_each_near(0, [&](std::size_t i) {
       if (kinds.kind(i) == CellKind::deep && !kinds.is_image(i)) deep.push_back(kinds.in_grid(kinds.cell(i)));
-    }
+    });
     b.grid.compute_only(deep);
   }
 
@@ -157,7 +157,7 @@ struct OversetSolver::Impl {
           },
           setup.start);
     }
-    read_states(true), set_clouds(), write_back(true);
+    read_states(true), set_gas_clouds(), set_solid_clouds(), write_back(true);
     for (auto const& b : bodies) set_rate(*b);
   }
 
@@ -165,11 +165,11 @@ struct OversetSolver::Impl {
   static void set_rate(Body& b) {
     double rate = 0;
     CellKinds const& kinds = b.solid.kinds;
-    for (std::size_t i = 0; i < kinds.count(); ++i) {
-      if (!kinds.valid(i) || kinds.is_image(i)) continue;
+    kinds.for_each_near(0, [&](std::size_t i) {
+      if (!kinds.valid(i) || kinds.is_image(i)) return;
       double const own = b.grid.signal_rate_of(densities_of(b.solid.states[i]));
       if (!(own <= rate)) rate = own;  // NaN as well
-    }
+    });
     if (rate > 0) b.grid.set_signal_rate(rate);
   }
 
@@ -178,51 +178,67 @@ struct OversetSolver::Impl {
 #pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
     for (std::size_t at = 0; at < bodies.size(); ++at) {
       auto const& b = bodies[at];
-      auto const read = [&](auto& region, auto const& state) {
-        for (std::size_t i = 0; i < region.kinds.count(); ++i) {
+      auto const read = [&](auto& region, int around, auto const& state) {
+        region.kinds.for_each_near(around, [&](std::size_t i) {
           bool const own = all || region.kinds.kind_before(i) == CellKind::deep;
           if (own && region.kinds.valid(i) && !region.kinds.is_image(i))
             region.states[i] = state(region.kinds.in_grid(region.kinds.cell(i)));
-        }
+        });
         region.update();
       };
-      read(b->gas, [&](Int3 const& c) { return fields_of(setup.gas.eos, gas.average(c)); });
-      read(b->solid, [&](Int3 const& c) { return fields_of(b->setup.material.eos, b->grid.average(c)); });
+      // of gas all that is in the window: probes look there
+      int const everywhere = *std::max_element(b->gas.kinds.box().size.begin(), b->gas.kinds.box().size.end());
+      read(b->gas, everywhere, [&](Int3 const& c) { return fields_of(setup.gas.eos, gas.average(c)); });
+      read(b->solid, 0, [&](Int3 const& c) { return fields_of(b->setup.material.eos, b->grid.average(c)); });
     }
   }
 
-  void set_clouds() {
+  void set_gas_clouds() {
+    double const h_gas = gas.widths()[0];
 #pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
     for (std::size_t at = 0; at < bodies.size(); ++at) {
-      auto const& b = bodies[at];
-      std::vector<CloudPoint<SolidFields>> solid;
-      std::vector<CloudPoint<GasFields>> gas_points;
-      // and its images
-      auto const add = [](auto& points, CellKinds const& kinds, Vec3 const& x, auto const& q, int triangle) {
-        if (near(kinds, x)) points.push_back({x, q, triangle});
-        Mirrors const& mirrors = kinds.box().mirrors;
-        mirrors.for_each([&](Image const& at) {
-          Vec3 const y = mirrors.image(x, at);
-          if (near(kinds, y)) points.push_back({y, reflected(q, at), triangle, at});
-        });
-      };
+      Body& b = *bodies[at];
+      std::vector<CloudPoint<GasFields>> points;
       for (auto const& other : bodies) {
-        double const h_gas = gas.widths()[0];
         for (std::size_t n = 0; n < other->triangles.size(); ++n) {
           TriangleState const& t = other->triangles[n];
-          int const number = static_cast<int>(n);
           for (std::size_t k = 0; k < core_layers; ++k) {
             Vec3 const x = core_centre(t, k, h_gas);
-            if (near(b->gas.kinds, x) && b->gas.kinds.in_medium(x)) add(gas_points, b->gas.kinds, x, t.gas[k], number);
-            if (other != b) continue;
-            Vec3 const y = core_centre(t, k, -b->setup.cell);
-            if (k == 0 || b->solid.kinds.in_medium(y)) add(solid, b->solid.kinds, y, t.solid[k], number);
+            if (near(b.gas.kinds, x) && b.gas.kinds.in_medium(x)) add(points, b.gas.kinds, x, t.gas[k], t.centre, n);
           }
         }
       }
-      b->gas.donors.set_cloud(gas_points, gas.widths()[0] > dense_from * b->setup.cell);
-      b->solid.donors.set_cloud(solid, false);
+      b.gas.donors.set_cloud(points, h_gas > dense_from * b.setup.cell);
     }
+  }
+
+  void set_solid_clouds() {
+#pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
+    for (std::size_t at = 0; at < bodies.size(); ++at) {
+      Body& b = *bodies[at];
+      std::vector<CloudPoint<SolidFields>> points;
+      for (std::size_t n = 0; n < b.triangles.size(); ++n) {
+        TriangleState const& t = b.triangles[n];
+        for (std::size_t k = 0; k < core_layers; ++k) {
+          Vec3 const x = core_centre(t, k, -b.setup.cell);
+          if (k == 0 || b.solid.kinds.in_medium(x)) add(points, b.solid.kinds, x, t.solid[k], t.centre, n);
+        }
+      }
+      b.solid.donors.set_cloud(points, false);
+    }
+  }
+
+  /// A core, and its images.
+  template <class Fields>
+  static void add(std::vector<CloudPoint<Fields>>& points, CellKinds const& kinds, Vec3 const& x, Fields const& q,
+                  Vec3 const& foot, std::size_t triangle) {
+    int const number = static_cast<int>(triangle);
+    if (near(kinds, x)) points.push_back({x, q, number, foot});
+    Mirrors const& mirrors = kinds.box().mirrors;
+    mirrors.for_each([&](Image const& image) {
+      Vec3 const y = mirrors.image(x, image);
+      if (near(kinds, y)) points.push_back({y, reflected(q, image), number, mirrors.image(foot, image), image});
+    });
   }
   static bool near(CellKinds const& kinds, Vec3 const& x) {
     WindowBox const& box = kinds.box();
@@ -241,7 +257,7 @@ struct OversetSolver::Impl {
       std::vector<Int3> cells;
       std::vector<GasDensities> gas_averages;
       fill(
-          b->gas, started, b->ambient, [](Int3 const&) { return true; }, cells,
+          b->gas, started, b->ambient, 0, [](Int3 const&) { return true; }, cells,
           [&](GasFields const& q) { gas_averages.push_back(densities_of(setup.gas.eos, q)); });
       gas.replace(cells, gas_averages);
       if (!started && sleeping[n] != 0) continue;
@@ -252,40 +268,43 @@ struct OversetSolver::Impl {
         mean = mean + (1.0 / static_cast<double>(b->triangles.size())) * t.velocity;
       for (std::size_t a = 0; a < 3; ++a)
         b->background[solid_field_of::u + a] = b->cut.mirrors.across(a) ? 0.0 : mean[a];
+      Int3 const& tile = b->grid.setup().options.tile;
       fill(
-          b->solid, started, b->background, [&](Int3 const& c) { return b->grid.computes(c); }, cells,
+          b->solid, started, b->background, *std::max_element(tile.begin(), tile.end()),
+          [&](Int3 const& c) { return b->grid.computes(c); }, cells,
           [&](SolidFields const& q) { solid_averages.push_back(densities_of(q)); });
       b->grid.replace(cells, solid_averages);
     }
   }
 
   void close() {
+#pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
     for (std::size_t n = 0; n < bodies.size(); ++n) {
       Body& b = *bodies[n];
       close_momentum(b, momenta[n]);
       std::vector<Int3> cells;
       std::vector<SolidDensities> averages;
-      for (std::size_t i = 0; i < b.solid.kinds.count(); ++i) {
-        if (!b.solid.kinds.valid(i) || b.solid.kinds.is_image(i)) continue;
-        cells.push_back(b.solid.kinds.in_grid(b.solid.kinds.cell(i))),
-            averages.push_back(densities_of(b.solid.states[i]));
-      }
+      CellKinds const& kinds = b.solid.kinds;
+      kinds.for_each_near(0, [&](std::size_t i) {
+        if (!kinds.valid(i) || kinds.is_image(i)) return;
+        cells.push_back(kinds.in_grid(kinds.cell(i))), averages.push_back(densities_of(b.solid.states[i]));
+      });
       b.grid.replace(cells, averages);
       b.solid.update();
     }
-    set_clouds();
+    set_solid_clouds();
   }
 
   /// `computed`: whether a cell of the grid's is read or stepped at all where it is neither of the medium nor beside
-  /// it.
+  /// it; within `around` cells of the bodies.
   template <class Fields, class Computed, class Put>
-  void fill(Region<Fields>& region, bool started, Fields const& still, Computed const& computed,
+  void fill(Region<Fields>& region, bool started, Fields const& still, int around, Computed const& computed,
             std::vector<Int3>& cells, Put const& put) {
     using From = typename Donors<Fields>::From;
     CellKinds const& kinds = region.kinds;
     std::vector<std::size_t> wanted, fringe;
-    for (std::size_t i = 0; i < kinds.count(); ++i) {
-      if (kinds.is_image(i)) continue;
+    kinds.for_each_near(around, [&](std::size_t i) {
+      if (kinds.is_image(i)) return;
       if (kinds.valid(i)) {
         if (!started && kinds.kind_before(i) != CellKind::deep) wanted.push_back(i);
       } else if (kinds.fringe(i)) {
@@ -293,7 +312,7 @@ struct OversetSolver::Impl {
       } else if (Int3 const c = kinds.in_grid(kinds.cell(i)); computed(c)) {
         cells.push_back(c), put(still);
       }
-    }
+    });
     std::vector<Fields> filled(wanted.size());
 #pragma omp parallel for num_threads(threads) schedule(dynamic, 32)
     for (std::size_t n = 0; n < wanted.size(); ++n) {
@@ -347,16 +366,20 @@ struct OversetSolver::Impl {
       std::size_t const count = b.triangles.size(), batches = (count + ModelProblems::lanes - 1) / ModelProblems::lanes;
       std::vector<std::array<Vec3, 2>> gradient(count);
       results[n].resize(count);
-#pragma omp parallel for num_threads(threads) schedule(dynamic, 4)
-      for (std::size_t batch = 0; batch < batches; ++batch) {
-        std::size_t const first = batch * ModelProblems::lanes, size = std::min(ModelProblems::lanes, count - first);
-        std::array<ModelStencil, ModelProblems::lanes> stencils;
-        for (std::size_t k = 0; k < size; ++k) {
-          stencils[k] = b.stencil(first + k);
-          gradient[first + k] = b.velocity_gradient(first + k, stencils[k]);
+#pragma omp parallel num_threads(threads)
+      {
+        Body::Nearby nearby(b);
+#pragma omp for schedule(dynamic, 4)
+        for (std::size_t batch = 0; batch < batches; ++batch) {
+          std::size_t const first = batch * ModelProblems::lanes, size = std::min(ModelProblems::lanes, count - first);
+          std::array<ModelStencil, ModelProblems::lanes> stencils;
+          for (std::size_t k = 0; k < size; ++k) {
+            stencils[k] = b.stencil(first + k, nearby);
+            gradient[first + k] = b.velocity_gradient(first + k, stencils[k]);
+          }
+          problems[n][static_cast<std::size_t>(omp_get_thread_num())].solve(std::span(stencils).first(size), dt,
+                                                                            std::span(results[n]).subspan(first, size));
         }
-        problems[n][static_cast<std::size_t>(omp_get_thread_num())].solve(std::span(stencils).first(size), dt,
-                                                                          std::span(results[n]).subspan(first, size));
       }
       for (std::size_t t = 0; t < count; ++t) b.triangles[t].gradient = gradient[t];
       counters.problems += count;
@@ -397,10 +420,10 @@ struct OversetSolver::Impl {
     }
     classify();
     double const placed = seconds();
-    read_states(false), set_clouds();
+    read_states(false), set_gas_clouds(), set_solid_clouds();
     bool tied = false;
     for (auto const& b : bodies) tied = tie_thin_rims(*b) || tied;
-    if (tied) set_clouds();
+    if (tied) set_solid_clouds();
     write_back(false);
     if (setup.closure) close();
     for (std::size_t n = 0; n < bodies.size(); ++n) {

@@ -119,6 +119,15 @@ void CellKinds::classify(std::span<TriangleSurface const* const> surfaces) {
   reflect_kinds();
 }
 
+CellBlock CellKinds::near(int more) const noexcept {
+  CellBlock block{near_first_, near_last_};
+  for (std::size_t a = 0; a < 3; ++a) {
+    block.first[a] = std::max(0, block.first[a] - more);
+    block.last[a] = std::min(box_.size[a] - 1, block.last[a] + more);
+  }
+  return block;
+}
+
 void CellKinds::reflect_kinds() {
   for (ImageCell const& i : images_) kinds_[i.cell] = kinds_[i.of], fringe_[i.cell] = fringe_[i.of];
 }

@@ -1,5 +1,6 @@
 #pragma once
 /// The part of a Cartesian grid around the bodies' surfaces: which medium its cells belong to, and their states.
+#include <algorithm>
 #include <span>
 
 #include "fsi/overset/mirrors.hpp"
@@ -36,6 +37,7 @@ struct CloudPoint {
   Vec3 x;
   Fields q;
   int triangle = 0;  ///< whose core it is
+  Vec3 foot{};       ///< that triangle's centre
   Image image{0, 0, 0};
 };
 
@@ -43,6 +45,20 @@ struct CloudPoint {
 struct ImageCell {
   std::size_t cell, of;
   Image image;
+};
+
+/// Cells around the surfaces within which are all that interpolation reads, and all images beyond mirrors.
+inline constexpr int cells_around = 8;
+
+/// Cells from the first to the last.
+struct CellBlock {
+  Int3 first{0, 0, 0}, last{-1, -1, -1};
+
+  [[nodiscard]] std::size_t count() const noexcept {
+    std::size_t n = 1;
+    for (std::size_t a = 0; a < 3; ++a) n *= static_cast<std::size_t>(std::max(0, last[a] - first[a] + 1));
+    return n;
+  }
 };
 
 /// Geometry: kinds of the cells.
@@ -86,6 +102,19 @@ class CellKinds {
   /// Where the line along x through (y, z), which lies over column (j, k), crosses the surfaces, and the mirror that
   /// closes them: ascending.
   void crossings(int j, int k, double y, double z, std::vector<double>& x) const;
+  /// Those of the window that are up to `more` cells away from the box around the surfaces.
+  [[nodiscard]] CellBlock near(int more) const noexcept;
+  /// Calls f with their indices, ascending.
+  template <class F>
+  void for_each_near(int more, F const& f) const {
+    CellBlock const block = near(more);
+    for (int k = block.first[2]; k <= block.last[2]; ++k) {
+      for (int j = block.first[1]; j <= block.last[1]; ++j) {
+        std::size_t i = static_cast<std::size_t>(index({block.first[0], j, k}));
+        for (int n = block.first[0]; n <= block.last[0]; ++n) f(i++);
+      }
+    }
+  }
   /// A foreign or cut cell with a valid one around it.
   [[nodiscard]] bool fringe(std::size_t i) const noexcept { return fringe_[i] != 0; }
 

@@ -55,8 +55,8 @@ struct GasProblem {
     double const c = curve.sound_speed(), m_gas = curve.excess();
     double const approach = gas.u - solid.velocity(gas.p);
     double const scale = c + std::fabs(approach) + m_gas * solid.compliance(gas.p);
-    // apart: only where the solid recedes from the gas
-    if (solid.velocity(p_vacuum) - gas.u > 0.0) {
+    // apart: only where the solid recedes from the gas faster than this can follow
+    if (solid.velocity(p_vacuum) - gas.u >= curve.escape_at_least()) {
       double const escape = curve.escape(true);
       if (solid.velocity(p_vacuum) - gas.u - escape >= 0.0) {
         GasSolidContact r = at(0.0, {0.0, -escape, 0.0}, solid);

@@ -46,6 +46,7 @@ class GammaLawCurve {
   [[nodiscard]] G27_INLINE V sound_speed() const noexcept { return c_; }
   /// Velocity gained by expanding down to rho = 0.
   G27_INLINE V escape(Mask<V> /*active*/) noexcept { return (2.0 / (g_ - 1.0)) * c_; }
+  [[nodiscard]] G27_INLINE V escape_at_least() const noexcept { return (2.0 / (g_ - 1.0)) * c_; }
 
   [[nodiscard]] G27_INLINE WavePoint<V> at(V q, Mask<V> /*active*/) noexcept {
     double const a = 0.5 * (g_ - 1.0) / g_;
@@ -107,6 +108,12 @@ class ThermalCurve {
   V escape(Mask<V> active) noexcept {
     Reach const r = reach(rho_, V(0.0), active);
     return r.gain + eos_->thermal_escape(r.rho, r.c);
+  }
+
+  /// A bound from below, closed: what the thermal part of the sound speed alone gives.
+  [[nodiscard]] G27_INLINE V escape_at_least() const noexcept {
+    V const thermal = max(K_ - eos_->bulk_modulus_thermal(rho_, V(0.0)), 0.0);
+    return eos_->thermal_escape(rho_, sqrt(V(thermal * v_)));
   }
 
   [[nodiscard]] WavePoint<V> at(V q, Mask<V> active) noexcept {

@@ -24,6 +24,9 @@ void read_body_ledgers(Hdf5Reader const& in, SceneRun const& run, GridRestart& r
 /// One row a body of each run: where it is at the end, and how the model problems went.
 Table body_table(Scene const& scene, SceneResult const& result);
 
+/// Model problems and the time of a step's parts, by run.
+Table problem_table(Scene const& scene, SceneResult const& result);
+
 /// One row a quantity of gas and bodies of each run. Angular momentum of the gas is left out: what its boundary takes
 /// is not counted.
 Table ledger_table(Scene const& scene, SceneResult const& result);

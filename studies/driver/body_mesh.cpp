@@ -112,7 +112,15 @@ class BodyMesh : public GridMesh {
       for (std::size_t d = 0; d < 3; ++d) now.ledger.momentum[d].from_source -= body.momentum[d].from_source;
     }
     OversetCounters const& c = solver_->counters();
-    now.problems = {static_cast<double>(c.problems), static_cast<double>(c.first_order), static_cast<double>(c.failed)};
+    now.problems = {.solved = static_cast<double>(c.problems),
+                    .first_order = static_cast<double>(c.first_order),
+                    .kept = static_cast<double>(c.failed),
+                    .skipped = static_cast<double>(c.skipped),
+                    .local_s = c.seconds_local,
+                    .gas_s = c.seconds_gas,
+                    .bodies_s = c.seconds_solid,
+                    .geometry_s = c.seconds_geometry,
+                    .interpolation_s = c.seconds_fill};
   }
   void capture_state(GridRestart& now) const override { now.overset = solver_->state().arrays; }
 

@@ -32,7 +32,13 @@ constexpr std::array size_fields{
 
 constexpr std::array problem_fields{std::pair{"problems", &ProblemCounts::solved},
                                     std::pair{"problems_first_order", &ProblemCounts::first_order},
-                                    std::pair{"problems_kept", &ProblemCounts::kept}};
+                                    std::pair{"problems_kept", &ProblemCounts::kept},
+                                    std::pair{"problems_skipped", &ProblemCounts::skipped},
+                                    std::pair{"wall_s_local", &ProblemCounts::local_s},
+                                    std::pair{"wall_s_gas", &ProblemCounts::gas_s},
+                                    std::pair{"wall_s_bodies", &ProblemCounts::bodies_s},
+                                    std::pair{"wall_s_geometry", &ProblemCounts::geometry_s},
+                                    std::pair{"wall_s_interpolation", &ProblemCounts::interpolation_s}};
 
 std::vector<std::uint64_t> grid_shape(SceneRun const& run) {
   auto const& n = run.grid->setup.cells;

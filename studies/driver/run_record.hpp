@@ -44,6 +44,10 @@ struct ContentLedger {
 /// Of model problems at the bodies' triangles.
 struct ProblemCounts {
   double solved = 0, first_order = 0, kept = 0;  ///< redone by Godunov's scheme; failed there too and left as they were
+  double skipped = 0;                            ///< of bodies that nothing had reached
+  /// Wall time of the parts of all steps: these problems, the gas's grid, the bodies' grids, where the surfaces are,
+  /// and interpolation between the grids [s].
+  double local_s = 0, gas_s = 0, bodies_s = 0, geometry_s = 0, interpolation_s = 0;
 };
 
 /// The same of a grid. Arrays are [nz][ny][nx]; none once the run has ended.

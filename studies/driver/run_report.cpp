@@ -116,6 +116,7 @@ RunReport write_report(Scene const& scene, SceneResult const& result, std::files
   if (std::any_of(scene.runs.begin(), scene.runs.end(),
                   [](SceneRun const& r) { return r.grid && !r.grid->bodies.empty(); })) {
     tables.push_back(body_table(scene, result));
+    tables.push_back(problem_table(scene, result));
     tables.push_back(ledger_table(scene, result));
   }
   if (!result.judgements.empty()) {
