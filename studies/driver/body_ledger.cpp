@@ -24,6 +24,17 @@ ContentLedger of_gas(GridRestart const& r) {
   return {.mass = r.ledger.mass, .energy = r.ledger.energy, .momentum = r.ledger.momentum, .angular = {}};
 }
 
+/// Whether planes of symmetry that cut a body hold this: they push on it, and the pressures on its surface do not say
+/// how much.
+bool held_by(Mirrors const& planes, std::string const& quantity) {
+  for (std::size_t a = 0; a < 3; ++a) {
+    std::string const axis(1, "xyz"[a]);
+    if (planes.across(a) && quantity == "momentum_" + axis) return true;
+    if (planes.across(a) && quantity.starts_with("angular_momentum_") && !quantity.ends_with(axis)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 ContentLedger ledger_of(BodyIntegrals const& body) {
@@ -136,7 +147,9 @@ Table problem_table(Scene const& scene, SceneResult const& result) {
 
 Table ledger_table(Scene const& scene, SceneResult const& result) {
   Table table{.name = "ledger",
-              .title = "Gas outside of the bodies, and bodies: rest is what interpolation and moving surfaces made",
+              .title =
+                  "Gas outside of the bodies, and bodies: rest is what interpolation and moving surfaces made; "
+                  "nothing is said of what planes of symmetry hold",
               .columns = {{"run", "1"},
                           {"of", "1"},
                           {"quantity", "1"},
@@ -152,17 +165,22 @@ Table ledger_table(Scene const& scene, SceneResult const& result) {
   for (SceneRun const& run : scene.runs) {
     auto const found = result.records.find(run.name);
     if (found == result.records.end() || run.grid->bodies.empty()) continue;
-    auto const add = [&](std::string const& of, ContentLedger const& ledger, bool body) {
+    auto const add = [&](std::string const& of, ContentLedger const& ledger, Mirrors const* planes) {
+      bool const body = planes != nullptr;
       for_each_entry(ledger, body, [&](std::string const& name, char const* unit, LedgerEntry const& e) {
         double const rest = e.current - e.initial - e.through_boundary - e.from_source - e.from_floor;
-        table.rows.push_back({run.name, of, name, unit, e.initial, e.current,
-                              body ? Value(std::string("-")) : Value(e.through_boundary), e.from_source, rest,
-                              100 * e.residual()});
+        Value const nothing(std::string("-"));
+        bool const held = body && held_by(*planes, name);
+        table.rows.push_back({run.name, of, name, unit, e.initial, e.current, body ? nothing : Value(e.through_boundary),
+                              e.from_source, held ? nothing : Value(rest), held ? nothing : Value(100 * e.residual())});
       });
     };
     GridRestart const& restart = found->second.grid->restart;
-    add("gas", of_gas(restart), false);
-    for (std::size_t n = 0; n < restart.bodies.size(); ++n) add(run.grid->bodies[n].name, restart.bodies[n], true);
+    add("gas", of_gas(restart), nullptr);
+    for (std::size_t n = 0; n < restart.bodies.size(); ++n) {
+      SceneBody const& body = run.grid->bodies[n];
+      add(body.name, restart.bodies[n], &body.cut);
+    }
   }
   return table;
 }

@@ -188,6 +188,10 @@ int run_program(int argc, char** argv) {
   add_list(app, status);
   add_stl(app, status);
   add_test(app);
+  if (argc < 2) {
+    fmt::print(stderr, "{}", app.help());
+    return bad_input;
+  }
   try {
     app.parse(argc, argv);
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {

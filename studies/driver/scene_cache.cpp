@@ -151,8 +151,8 @@ int ensure_cached(Scene const& scene, CacheOptions const& options) {
     return 1;
   }
   earlier.remove();
-  fmt::print(stderr, "{}: computed in {} ({:.0f} s of CPU), {:.0f} bytes of memory at most\n", scene.name,
-             duration_text(result.wall_s), result.cpu_s, result.peak_bytes);
+  fmt::print(stderr, "{}: computed in {} ({:.0f} s of CPU), {:.0f} MB of memory at most\n", scene.name,
+             duration_text(result.wall_s), result.cpu_s, 1e-6 * result.peak_bytes);
   return 0;
 }
 

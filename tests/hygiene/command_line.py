@@ -36,7 +36,8 @@ def run_json(*arguments, status=0):
 
 run("--help")
 run("--version")
-run(status=2)
+if "check a scene" not in run(status=2).stderr:
+    problems.append("g27 alone does not list its commands")
 for wrong in (["rnu"], ["run", "no-such-scene"], ["case", "no-such-case"], ["study", "no-such-study"],
               ["exact", "no-such-solution"], ["figure", "no-such-figure"], ["bench", "no-such-benchmark"],
               ["list", "no-such-kind"], ["run", "sod", "--set", "domain.cels=3"], ["run", "--threads", "0"],
