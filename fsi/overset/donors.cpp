@@ -92,7 +92,7 @@ void Donors<Fields>::set_cloud(std::vector<CloudPoint<Fields>> const& points, bo
   }
   where_.resize(cloud_.size()), cloud_energy_.resize(cloud_.size());
   for (std::size_t n = 0; n < cloud_.size(); ++n) {
-    where_[n] = cloud_[n].x, cloud_energy_[n] = energy_of(law_, cloud_[n].q);
+    where_[n] = in_cells(cloud_[n].x), cloud_energy_[n] = energy_of(law_, cloud_[n].q);
   }
 }
 
@@ -143,11 +143,10 @@ template <class Fields>
 void Donors<Fields>::gather(Vec3 const& x, double radius, From from, Gathered& out) const {
   out.clear();
   WindowBox const& box = kinds_.box();
-  double const inverse = 1 / box.h, limit = radius * radius;
+  double const limit = radius * radius;
   Int3 low{}, high{};
-  Vec3 at{};  // in cells of the window
+  Vec3 const at = in_cells(x);
   for (std::size_t a = 0; a < 3; ++a) {
-    at[a] = (x[a] - box.lower[a]) * inverse - box.first[a];
     low[a] = std::max(0, static_cast<int>(std::floor(at[a] - radius)));
     high[a] = std::min(box.size[a] - 1, static_cast<int>(std::floor(at[a] + radius)));
   }
@@ -161,8 +160,7 @@ void Donors<Fields>::gather(Vec3 const& x, double radius, From from, Gathered& o
         int const last = std::min(high[0], static_cast<int>(std::floor(at[0] - 0.5 + half)));
         std::size_t n = static_cast<std::size_t>(kinds_.index({first, j, k}));
         for (int i = first; i <= last; ++i, ++n) {
-          Vec3 const r{i + 0.5 - at[0], y, z};
-          if (gives(n, from)) out.add(r, states_[n], of_gas ? energy_[n] : 0.0);
+          if (gives(n, from)) out.add({i + 0.5, j + 0.5, k + 0.5}, states_[n], of_gas ? energy_[n] : 0.0);
         }
       }
       // from the nearest point of the row
@@ -175,8 +173,8 @@ void Donors<Fields>::gather(Vec3 const& x, double radius, From from, Gathered& o
       if (first > last) continue;
       auto const [from_point, to_point] = in_row(first, last, j, k);
       for (std::size_t p = from_point; p < to_point; ++p) {
-        Vec3 const r = inverse * (where_[p] - x);
-        if (dot(r, r) < limit) out.add(r, cloud_[p].q, cloud_energy_[p]);
+        Vec3 const r = where_[p] - at;
+        if (dot(r, r) < limit) out.add(where_[p], cloud_[p].q, cloud_energy_[p]);
       }
     }
   }
@@ -258,14 +256,13 @@ void Donors<Fields>::Gathered::take(Gathered const& wide, Vec3 const& middle, Fr
   count_ = g.count;
   for (std::size_t n = 0; n < count_; ++n) {
     std::size_t const i = static_cast<std::size_t>(kept[n]);
-    x_[n] = wide.x_[i] - middle[0], y_[n] = wide.y_[i] - middle[1], z_[n] = wide.z_[i] - middle[2];
-    row_[n] = wide.row_[i], energy_[n] = wide.energy_[i];
+    x_[n] = wide.x_[i], y_[n] = wide.y_[i], z_[n] = wide.z_[i], row_[n] = wide.row_[i], energy_[n] = wide.energy_[i];
   }
   pad();
 }
 
 template <class Fields>
-bool Donors<Fields>::Gathered::fit(Vec3 const& r, double radius, std::size_t few, Law const& law, Fields& out) const {
+bool Donors<Fields>::Gathered::fit(Vec3 const& x, double radius, std::size_t few, Law const& law, Fields& out) const {
   thread_local std::vector<double> weight;
   thread_local std::vector<int> near;
   weight.resize(count_ + fit_padding), near.resize(count_ + fit_padding);
@@ -276,7 +273,7 @@ bool Donors<Fields>::Gathered::fit(Vec3 const& r, double radius, std::size_t few
                  .z = z_.data(),
                  .q = row_.data(),
                  .energy = energy_.data(),
-                 .at = r,
+                 .at = x,
                  .limit = radius * radius,
                  .weight = weight.data(),
                  .near = near.data(),
@@ -298,7 +295,7 @@ bool Donors<Fields>::Gathered::fit(Vec3 const& r, double radius, std::size_t few
   double energy = 0;
   if constexpr (of_gas) {
     double const rho = std::clamp(g.mass, low[gas_field::rho], high[gas_field::rho]);
-    for (double& x : value) x /= rho;
+    for (double& one : value) one /= rho;
     value[gas_field::rho] = rho, energy = g.mean_energy / rho;
   }
   for (std::size_t f = 0; f < out.size(); ++f) {
@@ -322,31 +319,27 @@ Fields Donors<Fields>::at(Vec3 const& x, From from, Fields const& otherwise) con
     if (donors.size() >= fewest) break;
   }
   if (donors.size() == 0) return otherwise;
-  donors.pad(), donors.fit({0, 0, 0}, everything, 1, law_, out);
+  donors.pad(), donors.fit(in_cells(x), everything, 1, law_, out);
   return out;
 }
 
 template <class Fields>
 void Donors<Fields>::Around::reset(Vec3 const& centre, Frame const& frame) {
-  WindowBox const& box = donors_.kinds_.box();
-  for (std::size_t a = 0; a < 3; ++a) centre_[a] = (centre[a] - box.lower[a]) / box.h - box.first[a];
   constexpr double half = 1 + 1e-9, diagonal = 1.7321;
-  Vec3 from = centre_ - wide_centre_;
+  Vec3 const middle = donors_.in_cells(centre), from = middle - wide_centre_;
   if (!(dot(from, from) < around * around)) {
     donors_.gather(centre, diagonal + reach + around, From::valid, wide_);
-    wide_.pad(), wide_centre_ = centre_, from = {0, 0, 0};
+    wide_.pad(), wide_centre_ = middle;
   }
-  near_.take(wide_, from, frame, half, reach);
+  near_.take(wide_, middle, frame, half, reach);
 }
 
 template <class Fields>
 Fields Donors<Fields>::Around::at(Vec3 const& x, Fields const& otherwise) const {
   Fields out{};
   if (donors_.multilinear(x, From::valid, out)) return out;
-  WindowBox const& box = donors_.kinds_.box();
-  Vec3 r{};
-  for (std::size_t a = 0; a < 3; ++a) r[a] = (x[a] - box.lower[a]) / box.h - box.first[a] - centre_[a];
-  return near_.fit(r, reach, fewest, donors_.law_, out) ? out : donors_.at(x, From::valid, otherwise);
+  bool const enough = near_.fit(donors_.in_cells(x), reach, fewest, donors_.law_, out);
+  return enough ? out : donors_.at(x, From::valid, otherwise);
 }
 
 template class Donors<GasFields>;

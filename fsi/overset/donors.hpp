@@ -35,14 +35,14 @@ class Donors {
   /// `otherwise`: where nothing is near.
   [[nodiscard]] Fields at(Vec3 const& x, From from, Fields const& otherwise) const;
 
-  /// Donors about a place: where they are, in cells from it, and their states, which must not change meanwhile.
+  /// Donors about a place: where they are, in cells of the window, and their states, which must not change meanwhile.
   class Gathered {
    public:
     void clear() noexcept { count_ = 0; }
     [[nodiscard]] std::size_t size() const noexcept { return count_; }
-    void add(Vec3 const& r, Fields const& q, double energy) {
+    void add(Vec3 const& x, Fields const& q, double energy) {
       if (count_ + fit_padding > x_.size()) grow();
-      x_[count_] = r[0], y_[count_] = r[1], z_[count_] = r[2];
+      x_[count_] = x[0], y_[count_] = x[1], z_[count_] = x[2];
       row_[count_] = q.data(), energy_[count_] = energy;
       ++count_;
     }
@@ -50,8 +50,8 @@ class Donors {
     void take(Gathered const& wide, Vec3 const& middle, Frame const& frame, double half, double radius);
     /// Once all are there.
     void pad();
-    /// The fit at r to those within `radius`; false if these are fewer than `fewest`.
-    bool fit(Vec3 const& r, double radius, std::size_t fewest, Law const& law, Fields& out) const;
+    /// The fit at x to those within `radius`; false if these are fewer than `fewest`.
+    bool fit(Vec3 const& x, double radius, std::size_t fewest, Law const& law, Fields& out) const;
 
    private:
     void grow();
@@ -71,7 +71,7 @@ class Donors {
 
    private:
     Donors const& donors_;
-    Vec3 wide_centre_{1e300, 0, 0}, centre_{0, 0, 0};  ///< in cells of the window
+    Vec3 wide_centre_{1e300, 0, 0};  ///< in cells of the window
     Gathered wide_, near_;
   };
 
@@ -107,7 +107,13 @@ class Donors {
     auto const size = [&](std::size_t a) { return static_cast<std::size_t>(block_.last[a] - block_.first[a] + 1); };
     return along(0) + size(0) * (along(1) + size(1) * along(2));
   }
-  /// Those within a radius of x, in cells; where they are, from x.
+  [[nodiscard]] Vec3 in_cells(Vec3 const& x) const noexcept {
+    WindowBox const& box = kinds_.box();
+    Vec3 at{};
+    for (std::size_t a = 0; a < 3; ++a) at[a] = (x[a] - box.lower[a]) / box.h - box.first[a];
+    return at;
+  }
+  /// Those within a radius of x, in cells.
   void gather(Vec3 const& x, double radius, From from, Gathered& out) const;
   [[nodiscard]] bool multilinear(Vec3 const& x, From from, Fields& out) const;
 
@@ -116,7 +122,7 @@ class Donors {
   Law law_;
   std::vector<double> energy_, cloud_energy_;  ///< of gas, total per mass, of the valid cells and of the cloud [J/kg]
   std::vector<CloudPoint<Fields>> cloud_;      ///< in the order of the cells they lie in
-  std::vector<Vec3> where_;         ///< their places: they are searched more often than their states are read
+  std::vector<Vec3> where_;         ///< their places, in cells: they are searched more often than their states are read
   CellBlock block_;                 ///< cells of the window that the cloud can lie in
   std::vector<std::size_t> first_;  ///< of the points in each cell of the block, and one more
 };
