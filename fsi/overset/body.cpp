@@ -120,23 +120,27 @@ void Body::place_triangles() {
   }
 }
 
-void Body::move_vertices(double dt) {
-  std::vector<Vec3> velocity(surface.vertices.size());
-  for (std::size_t v = 0; v < velocity.size(); ++v) {
+void Body::move_vertices(double dt, double growth) {
+  std::vector<Vec3> way(surface.vertices.size());
+  for (std::size_t v = 0; v < way.size(); ++v) {
     double sum = 0;
-    Vec3 total{0, 0, 0};
+    Vec3 total{0, 0, 0}, normal{0, 0, 0};
     for (int n : around[v]) {
       TriangleState const& t = triangles[static_cast<std::size_t>(n)];
       Vec3 const r = surface.vertices[v] - t.centre;
       double const w = t.area / dot(r, r);
       Vec3 const u = t.velocity + dot(r, t.frame.a) * t.gradient[0] + dot(r, t.frame.b) * t.gradient[1];
-      total = total + w * u, sum += w;
+      total = total + w * u, sum += w, normal = normal + t.area * t.frame.n;
     }
-    velocity[v] = (1 / sum) * total;
-  }
-  for (std::size_t v = 0; v < velocity.size(); ++v) {
+    way[v] = (dt / sum) * total;
     for (std::size_t a = 0; a < 3; ++a) {
-      if (!cut.on_planes[v][a]) surface.vertices[v][a] += dt * velocity[v][a];
+      if (cut.on_planes[v][a]) normal[a] = 0;  // as that of the whole body
+    }
+    if (double const size = length(normal); size > 0) way[v] = way[v] + (growth / size) * normal;
+  }
+  for (std::size_t v = 0; v < way.size(); ++v) {
+    for (std::size_t a = 0; a < 3; ++a) {
+      if (!cut.on_planes[v][a]) surface.vertices[v][a] += way[v][a];
     }
   }
 }

@@ -92,8 +92,8 @@ struct Body {
   [[nodiscard]] ModelStencil stencil(std::size_t triangle, Nearby& nearby) const;
   /// In-plane gradient of the solid's velocity of that stencil, for the vertices.
   [[nodiscard]] std::array<Vec3, 2> velocity_gradient(std::size_t triangle, ModelStencil const& s) const;
-  /// Vertices by the velocities of the triangles around them.
-  void move_vertices(double dt);
+  /// Vertices by the velocities of the triangles around them, and by `growth` [m] along their normals.
+  void move_vertices(double dt, double growth);
 };
 
 }  // namespace g27

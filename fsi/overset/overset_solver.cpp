@@ -281,7 +281,7 @@ struct OversetSolver::Impl {
 #pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
     for (std::size_t n = 0; n < bodies.size(); ++n) {
       Body& b = *bodies[n];
-      close_momentum(b, momenta[n]);
+      close_content(b, momenta[n]);
       std::vector<Int3> cells;
       std::vector<SolidDensities> averages;
       CellKinds const& kinds = b.solid.kinds;
@@ -448,7 +448,7 @@ struct OversetSolver::Impl {
       counters.first_order += r.first_order ? 1 : 0, counters.failed += r.failed ? 1 : 0;
     }
     add_impulse(b, dt, held);
-    b.move_vertices(dt);
+    b.move_vertices(dt, held.growth);
     b.place_triangles();
     counters.remeshing.add(remesh(b, setup.remeshing));
   }

@@ -117,7 +117,7 @@ void save_body(Body const& body, BodyMomentum const& held, std::size_t n, Overse
   auto& rest = array("rest");
   put(rest, body.grid.time()), put(rest, body.grid.signal_rate());
   put(rest, body.background), put(rest, body.ambient);
-  put(rest, held.linear), put(rest, held.angular), put(rest, held.work);
+  put(rest, held.linear), put(rest, held.angular), put(rest, held.work), put(rest, held.mass), put(rest, held.growth);
 }
 
 BodyMomentum restore_body(OversetState const& from, std::size_t n, Body& body) {
@@ -147,7 +147,7 @@ BodyMomentum restore_body(OversetState const& from, std::size_t n, Body& body) {
   double time = 0, rate = 0;
   BodyMomentum held;
   rest.get(time), rest.get(rate), rest.get(body.background), rest.get(body.ambient);
-  rest.get(held.linear), rest.get(held.angular), rest.get(held.work);
+  rest.get(held.linear), rest.get(held.angular), rest.get(held.work), rest.get(held.mass), rest.get(held.growth);
   auto const averages = unpacked<solid_densities>(array("averages"));
   Int3 const cells = body.grid.cells();
   body.grid.set_cells(

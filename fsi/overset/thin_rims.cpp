@@ -16,7 +16,7 @@ bool tie_thin_rims(Body& body) {
   std::vector<std::pair<std::size_t, Velocities>> tied;
   for (std::size_t n = 0; n < body.triangles.size(); ++n) {
     TriangleState const& t = body.triangles[n];
-    if (body.solid.kinds.in_medium(core_centre(t, 1, -h))) continue;
+    if (body.solid.kinds.in_medium(core_centre(t, core_layers, -h))) continue;
     Velocities u{};
     for (std::size_t k = 0; k < core_layers; ++k) {
       Vec3 const x = core_centre(t, k, -h), own = velocity_of(t.solid[k]);

@@ -301,6 +301,9 @@ TEST_CASE("a run with bodies is resumed bit by bit, and its files are complete",
     double const momentum = a.read("/history/body/cube/momentum_x").back();
     CHECK(impulse > 0);
     CHECK(momentum == Approx(impulse).epsilon(closure == "true" ? 1e-9 : 0.1));
+    // with closure the surface follows the mass: a fifth of what is lacking in each step
+    std::vector<double> const mass = a.read("/history/body/cube/mass");
+    CHECK(mass.back() == Approx(mass.front()).epsilon(closure == "true" ? 1e-3 : 0.02));
     CHECK(a.read("/history/probe/front/velocity_x").back() > 0);
     CHECK(a.number_attribute("/ledger/body/cube/momentum_x", "through_contact") == impulse);
     CHECK(a.number_attribute("/ledger/momentum_x", "through_contact") == -impulse);
