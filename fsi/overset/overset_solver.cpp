@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <exception>
 
 #include "fsi/overset/asleep.hpp"
 #include "fsi/overset/thin_rims.hpp"
@@ -411,19 +412,28 @@ struct OversetSolver::Impl {
       }
     }
     double const solid_done = seconds();
+    std::exception_ptr trouble;  // a surface that cannot be meshed anew
+#pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
     for (std::size_t n = 0; n < bodies.size(); ++n) {
-      if (sleeping[n] != 0) {
-        add_impulse(*bodies[n], dt, momenta[n]);
-      } else {
-        accept(*bodies[n], results[n], dt, momenta[n]);
+      try {
+        if (sleeping[n] != 0) {
+          add_impulse(*bodies[n], dt, momenta[n]);
+        } else {
+          accept(*bodies[n], results[n], dt, momenta[n]);
+        }
+      } catch (...) {
+#pragma omp critical(overset_trouble)
+        trouble = std::current_exception();
       }
     }
+    if (trouble) std::rethrow_exception(trouble);
     classify();
     double const placed = seconds();
     read_states(false), set_gas_clouds(), set_solid_clouds();
-    bool tied = false;
-    for (auto const& b : bodies) tied = tie_thin_rims(*b) || tied;
-    if (tied) set_solid_clouds();
+    int tied = 0;
+#pragma omp parallel for num_threads(threads) schedule(dynamic, 1) reduction(+ : tied)
+    for (std::size_t n = 0; n < bodies.size(); ++n) tied += tie_thin_rims(*bodies[n]) ? 1 : 0;
+    if (tied > 0) set_solid_clouds();
     write_back(false);
     if (setup.closure) close();
     for (std::size_t n = 0; n < bodies.size(); ++n) {
@@ -438,6 +448,7 @@ struct OversetSolver::Impl {
   }
 
   void accept(Body& b, std::vector<ModelResult> const& result, double dt, BodyMomentum& held) {
+    std::uint64_t first_order = 0, failed = 0;
     for (std::size_t n = 0; n < b.triangles.size(); ++n) {
       TriangleState& t = b.triangles[n];
       ModelResult const& r = result[n];
@@ -445,12 +456,14 @@ struct OversetSolver::Impl {
       for (std::size_t k = 0; k < core_layers; ++k) {
         t.gas[k] = out_of_frame(t.frame, r.gas[k]), t.solid[k] = out_of_frame(t.frame, r.solid[k]);
       }
-      counters.first_order += r.first_order ? 1 : 0, counters.failed += r.failed ? 1 : 0;
+      first_order += r.first_order ? 1 : 0, failed += r.failed ? 1 : 0;
     }
     add_impulse(b, dt, held);
     b.move_vertices(dt, held.growth);
     b.place_triangles();
-    counters.remeshing.add(remesh(b, setup.remeshing));
+    LocalRemeshCounts const changes = remesh(b, setup.remeshing);
+#pragma omp critical(overset_counters)
+    counters.first_order += first_order, counters.failed += failed, counters.remeshing.add(changes);
   }
 };
 

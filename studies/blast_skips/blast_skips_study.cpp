@@ -92,7 +92,7 @@ scale    = "0.49 cm"
 center   = ["0 cm", "0 cm", "6.5 cm"]
 material = "steel"
 cell     = "0.7 mm"
-extent   = [["-1.5 cm", "1.5 cm"], ["-1.5 cm", "1.5 cm"], ["5.8 cm", "8.5 cm"]]
+extent   = [["-1.54 cm", "1.54 cm"], ["-1.54 cm", "1.54 cm"], ["5.8 cm", "8.5 cm"]]
 [output]
 every = "0.1 us"
 )",
