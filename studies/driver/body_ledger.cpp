@@ -171,8 +171,9 @@ Table ledger_table(Scene const& scene, SceneResult const& result) {
         double const rest = e.current - e.initial - e.through_boundary - e.from_source - e.from_floor;
         Value const nothing(std::string("-"));
         bool const held = body && held_by(*planes, name);
-        table.rows.push_back({run.name, of, name, unit, e.initial, e.current, body ? nothing : Value(e.through_boundary),
-                              e.from_source, held ? nothing : Value(rest), held ? nothing : Value(100 * e.residual())});
+        table.rows.push_back({run.name, of, name, unit, e.initial, e.current,
+                              body ? nothing : Value(e.through_boundary), e.from_source, held ? nothing : Value(rest),
+                              held ? nothing : Value(100 * e.residual())});
       });
     };
     GridRestart const& restart = found->second.grid->restart;

@@ -31,7 +31,8 @@ Results results_in(fs::path const& folder) {
     if (name.size() > scheme.size() + 1) out.files.push_back(name.substr(0, name.size() - scheme.size() - 1) + ".png");
     out.complete = out.complete && run.value("complete", false);
   }
-  for (char const* name : {"runs.csv", "saved.csv", "bodies.csv", "problems.csv", "ledger.csv", "verdict.csv", "summary.json"})
+  for (char const* name :
+       {"runs.csv", "saved.csv", "bodies.csv", "problems.csv", "ledger.csv", "verdict.csv", "summary.json"})
     out.files.emplace_back(name);
   return out;
 }

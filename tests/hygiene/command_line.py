@@ -36,7 +36,7 @@ def run_json(*arguments, status=0):
 
 run("--help")
 run("--version")
-if "check a scene" not in run(status=2).stderr:
+if "read a scene and say" not in run(status=2).stderr:
     problems.append("g27 alone does not list its commands")
 for wrong in (["rnu"], ["run", "no-such-scene"], ["case", "no-such-case"], ["study", "no-such-study"],
               ["exact", "no-such-solution"], ["figure", "no-such-figure"], ["bench", "no-such-benchmark"],
