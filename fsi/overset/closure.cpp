@@ -7,7 +7,7 @@ namespace g27 {
 
 namespace {
 
-/// Of the mass that is lacking, put back in a step: enough to follow what vertices lose within 2e-3, and little enough
+/// Of the mass that is lacking, put back in a step: enough to follow what vertices lose by and by, and little enough
 /// that the noise of what cut cells hold does not move the surface; a fifth draws more fins out of a crushed cube.
 constexpr double share_of_mass = 0.05;
 

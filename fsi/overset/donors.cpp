@@ -184,9 +184,9 @@ template <class Fields>
 bool Donors<Fields>::multilinear(Vec3 const& x, From from, Fields& out) const {
   WindowBox const& box = kinds_.box();
   Int3 cell{};
-  Vec3 part{};
+  Vec3 part = in_cells(x);
   for (std::size_t a = 0; a < 3; ++a) {
-    double const at = (x[a] - box.lower[a]) / box.h - box.first[a] - 0.5;
+    double const at = part[a] - 0.5;
     cell[a] = static_cast<int>(std::floor(at)), part[a] = at - cell[a];
     if (cell[a] < 0 || cell[a] + 1 >= box.size[a]) return false;
   }

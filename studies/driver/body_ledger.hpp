@@ -21,7 +21,7 @@ void set_current(BodyIntegrals const& now, BodyMomentum const& given, ContentLed
 void write_body_ledgers(Hdf5Writer& out, SceneRun const& run, GridRestart const& restart);
 void read_body_ledgers(Hdf5Reader const& in, SceneRun const& run, GridRestart& restart);
 
-/// One row a body of each run: where it is at the end, and how the model problems went.
+/// One row a body of each run: where it is at the end.
 Table body_table(Scene const& scene, SceneResult const& result);
 
 /// Model problems and the time of a step's parts, by run.
