@@ -9,6 +9,7 @@
 
 #include "fsi/overset/asleep.hpp"
 #include "fsi/overset/thin_rims.hpp"
+#include "fsi/overset/untangle.hpp"
 
 namespace g27 {
 
@@ -462,8 +463,14 @@ struct OversetSolver::Impl {
     b.move_vertices(dt, held.growth);
     b.place_triangles();
     LocalRemeshCounts const changes = remesh(b, setup.remeshing);
+    Untangled untangled;
+    if (setup.remeshing.on) untangled = untangle(b.surface, b.cut);
+    if (untangled.moved > 0) b.place_triangles();
 #pragma omp critical(overset_counters)
-    counters.first_order += first_order, counters.failed += failed, counters.remeshing.add(changes);
+    {
+      counters.first_order += first_order, counters.failed += failed, counters.remeshing.add(changes);
+      counters.untangled += untangled.moved, counters.tangled += untangled.clear ? 0 : 1;
+    }
   }
 };
 

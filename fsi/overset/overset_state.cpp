@@ -64,7 +64,8 @@ void for_each_member_of_clock(Clock& c, F const& f) {
 }
 
 constexpr std::array counts{&OversetCounters::steps, &OversetCounters::problems, &OversetCounters::first_order,
-                            &OversetCounters::failed, &OversetCounters::skipped};
+                            &OversetCounters::failed, &OversetCounters::skipped,
+                            &OversetCounters::untangled, &OversetCounters::tangled};
 constexpr std::array remesh_counts{&LocalRemeshCounts::splits, &LocalRemeshCounts::collapses, &LocalRemeshCounts::flips,
                                    &LocalRemeshCounts::moves, &LocalRemeshCounts::refused};
 

@@ -16,6 +16,8 @@ struct OversetCounters {
   std::uint64_t first_order = 0;          ///< of them redone by Godunov's scheme
   std::uint64_t failed = 0;               ///< of those kept as they were
   LocalRemeshCounts remeshing{};
+  std::uint64_t untangled = 0;  ///< vertices moved where a surface had run through itself
+  std::uint64_t tangled = 0;    ///< steps of a body after which it still did
   double seconds_local = 0, seconds_gas = 0, seconds_solid = 0, seconds_geometry = 0, seconds_fill = 0;
 };
 

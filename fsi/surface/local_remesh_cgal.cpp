@@ -30,8 +30,8 @@ constexpr double step = 0.5;            ///< of a vertex towards the middle of i
 
 double const cos_turn = std::cos(most_turn * std::numbers::pi / 180);
 
-/// What a vertex may do.
-enum class Place { side, line, corner };
+/// What a vertex may do: move along a side, along a sharp line, along a plane that the surface ends on, not at all.
+enum class Place { side, line, border, corner };
 
 using Corners = std::array<Vec3, 3>;
 Vec3 area_of(Corners const& c) { return 0.5 * cross(c[1] - c[0], c[2] - c[0]); }
@@ -83,8 +83,12 @@ class Remesher {
     Half const h = mesh_.halfedge(f);
     return {at(mesh_.source(h)), at(mesh_.target(h)), at(mesh_.target(mesh_.next(h)))};
   }
-  [[nodiscard]] bool at_border(Edge e) const {
-    return mesh_.is_border(mesh_.vertex(e, 0)) || mesh_.is_border(mesh_.vertex(e, 1));
+  /// Calls f(halfedge to v) for the triangles around a vertex.
+  template <class F>
+  void for_each_around(Vertex v, F const& f) const {
+    for (Half const h : mesh_.halfedges_around_target(mesh_.halfedge(v))) {
+      if (!mesh_.is_border(h)) f(h);
+    }
   }
   [[nodiscard]] bool sharp(Edge e) const {
     if (mesh_.is_border(e)) return true;
@@ -92,9 +96,15 @@ class Remesher {
                b = area_of(corners(mesh_.face(mesh_.halfedge(e, 1))));
     return dot(a, b) < cos_sharp_ * length(a) * length(b);
   }
-  /// `line`: neighbours along the sharp line, where the vertex lies on one.
+  /// The axis across the plane that holds these points, of a vertex at the border and its neighbours there; 3 if none
+  /// does.
+  [[nodiscard]] std::size_t axis_of(Vertex v, std::array<Vertex, 2> const& line) const {
+    std::size_t a = 0;
+    while (a < 3 && (at(line[0])[a] != at(v)[a] || at(line[1])[a] != at(v)[a])) ++a;
+    return a;
+  }
+  /// `line`: neighbours along the sharp line or the border, where the vertex lies on one.
   [[nodiscard]] Place place(Vertex v, std::array<Vertex, 2>& line) const {
-    if (mesh_.is_border(v)) return Place::corner;
     std::size_t n = 0;
     for (Half const h : mesh_.halfedges_around_target(mesh_.halfedge(v))) {
       if (!sharp(mesh_.edge(h))) continue;
@@ -104,8 +114,9 @@ class Remesher {
     if (n == 0) return Place::side;
     if (n == 1) return Place::corner;
     Vec3 const a = at(v) - at(line[0]), b = at(line[1]) - at(v);
-    return dot(a, b) > std::cos(straight * std::numbers::pi / 180) * length(a) * length(b) ? Place::line
-                                                                                           : Place::corner;
+    if (dot(a, b) <= std::cos(straight * std::numbers::pi / 180) * length(a) * length(b)) return Place::corner;
+    if (!mesh_.is_border(v)) return Place::line;
+    return axis_of(v, line) < 3 ? Place::border : Place::corner;
   }
 
   /// Edges for which f gives a number below `below`, by that number.
@@ -164,9 +175,12 @@ class Remesher {
   }
   /// x corrected along the area vector so that the volume stays; false if that is far. `lost`: volume that the
   /// triangles with x have less than those before.
-  [[nodiscard]] bool keep_volume(std::vector<Changed> const& triangles, double lost, double most, Vec3& x) const {
+  /// Along `axis`, if it is one, x stays.
+  [[nodiscard]] bool keep_volume(std::vector<Changed> const& triangles, double lost, double most, std::size_t axis,
+                                 Vec3& x) const {
     Vec3 area{0, 0, 0};
     for (Changed const& t : triangles) area = area + area_of(t.after);
+    if (axis < 3) area[axis] = 0;
     double const square = dot(area, area);
     if (!(square > 0)) return false;
     Vec3 const shift = (3 * lost / square) * area;
@@ -176,11 +190,11 @@ class Remesher {
 
   void collapse() {
     auto const wanted = [&](Edge e) {
-      if (at_border(e)) return 1.0;
       double const l = length_of(e);
       if (l < o_.shortest) return l - o_.shortest;
       // the shortest edge of a flat triangle
       for (Half const h : {mesh_.halfedge(e, 0), mesh_.halfedge(e, 1)}) {
+        if (mesh_.is_border(h)) continue;
         Corners const c = corners(mesh_.face(h));
         if (height_of(c) < o_.height && l < 0.5 * longest_of(c)) return l / longest_of(c) - 1e6;
       }
@@ -198,24 +212,26 @@ class Remesher {
     std::array<Vertex, 2> line_a{}, line_b{};
     Place const pa = place(a, line_a), pb = place(b, line_b);
     if (pa == Place::corner && pb == Place::corner) return;
-    bool const along = pa == Place::line && pb == Place::line;
-    if ((along || (pa != Place::side && pb != Place::side)) && !sharp(e)) return;
+    if (pa != Place::side && pb != Place::side && !sharp(e)) return;
+    if (mesh_.is_border(a) && mesh_.is_border(b) && !mesh_.is_border(e)) return;
     bool const fixed = pa != pb;
     Vec3 x = 0.5 * (at(a) + at(b));
     if (fixed) x = static_cast<int>(pa) > static_cast<int>(pb) ? at(a) : at(b);
 
     std::vector<Changed> around;
-    std::vector<int> lost_parents[2];
     double worst = 1;
-    Face const gone[2] = {mesh_.face(h), mesh_.face(mesh_.opposite(h))};
+    std::vector<Face> gone;
+    for (Half const s : {h, mesh_.opposite(h)}) {
+      if (!mesh_.is_border(s)) gone.push_back(mesh_.face(s));
+    }
     auto const collect = [&](Vec3 const& to) {
       around.clear(), worst = 1;
       for (Vertex const v : {a, b}) {
-        for (Half const s : mesh_.halfedges_around_target(mesh_.halfedge(v))) {
+        for_each_around(v, [&](Half s) {
           Face const f = mesh_.face(s);
           worst = std::min(worst, height_of(corners(f)));
-          if (f != gone[0] && f != gone[1]) around.push_back(changed(s, to));
-        }
+          if (std::find(gone.begin(), gone.end(), f) == gone.end()) around.push_back(changed(s, to));
+        });
       }
     };
     // volume between the triangles before and after, from the new place
@@ -228,7 +244,8 @@ class Remesher {
     collect(x);
     double change = lost(x);
     if (!fixed) {
-      if (!keep_volume(around, change, 0.25 * o_.shortest, x)) return;
+      std::size_t const axis = pa == Place::border ? axis_of(a, line_a) : 3;
+      if (!keep_volume(around, change, 0.25 * o_.shortest, axis, x)) return;
       collect(x), change = lost(x);
     }
     if (std::fabs(change) > 0.02 * std::pow(o_.shortest, 3) || !sound(around, worst)) return;
@@ -236,10 +253,11 @@ class Remesher {
       if (longest_of(t.after) > std::max(o_.longest, longest_of(t.before))) return;
     }
     // who takes the place of the two triangles that go: their neighbours
-    for (int k = 0; k < 2; ++k) lost_parents[k] = parents_[gone[k]];
-    Half const sides[2] = {h, mesh_.opposite(h)};
-    for (int k = 0; k < 2; ++k) {
-      for (Half const s : {mesh_.next(sides[k]), mesh_.prev(sides[k])}) {
+    std::vector<std::vector<int>> lost_parents;
+    for (Face const f : gone) lost_parents.push_back(parents_[f]);
+    for (std::size_t k = 0; k < gone.size(); ++k) {
+      for (Half const s : mesh_.halfedges_around_face(mesh_.halfedge(gone[k]))) {
+        if (mesh_.edge(s) == e || mesh_.is_border(mesh_.opposite(s))) continue;
         auto& p = parents_[mesh_.face(mesh_.opposite(s))];
         p.insert(p.end(), lost_parents[k].begin(), lost_parents[k].end());
       }

@@ -116,6 +116,8 @@ class BodyMesh : public GridMesh {
                     .first_order = static_cast<double>(c.first_order),
                     .kept = static_cast<double>(c.failed),
                     .skipped = static_cast<double>(c.skipped),
+                    .untangled = static_cast<double>(c.untangled),
+                    .tangled = static_cast<double>(c.tangled),
                     .local_s = c.seconds_local,
                     .gas_s = c.seconds_gas,
                     .bodies_s = c.seconds_solid,

@@ -69,7 +69,10 @@ Node::Array const* list_of(Node const& owner, std::string const& key) {
 double seconds(Node const& node) {
   auto const* text = std::get_if<std::string>(&node.value);
   auto const quantity = text != nullptr ? parse_quantity(*text) : std::nullopt;
-  return quantity ? quantity->value : 0;
+  if (quantity) return quantity->value;
+  if (auto const* number = std::get_if<double>(&node.value)) return *number;
+  auto const* whole = std::get_if<long>(&node.value);
+  return whole != nullptr ? static_cast<double>(*whole) : 0;
 }
 
 }  // namespace
@@ -131,17 +134,22 @@ std::vector<std::string> coarser(Document const& scene, double factor) {
   return out;
 }
 
-std::vector<std::string> quick_look(Document const& scene) {
-  std::vector<std::string> out{"expect=[]"};
+double end_of(Document const& scene) {
   Node const* time = scene.root.find("time");
   Node const* end = time != nullptr ? time->find("end") : nullptr;
+  return end != nullptr ? seconds(*end) : 0;
+}
+
+std::vector<std::string> quick_look(Document const& scene) {
+  std::vector<std::string> out{"expect=[]"};
+  double const end = end_of(scene);
   Node const* output = scene.root.find("output");
   auto const* list = output != nullptr ? list_of(*output, "snapshots") : nullptr;
-  if (end == nullptr || list == nullptr) return out;
+  if (list == nullptr) return out;
   std::vector<std::string> kept;
   for (Node const& at : *list) {
     auto const* text = std::get_if<std::string>(&at.value);
-    if (text != nullptr && seconds(at) <= seconds(*end)) kept.push_back('"' + *text + '"');
+    if (text != nullptr && seconds(at) <= end) kept.push_back('"' + *text + '"');
   }
   if (kept.size() < list->size()) out.push_back(fmt::format("output.snapshots=[{}]", fmt::join(kept, ", ")));
   return out;

@@ -133,6 +133,7 @@ std::string to_text(StlReport const& r) {
   }
   if (r.volume_before_remeshing) {
     out += fmt::format("remeshed: volume changed by {:.2g} %\n", 100 * (mass.volume / *r.volume_before_remeshing - 1));
+    if (d.healthy() && r.written.empty()) out += "not written: give a file with --out\n";
   }
   if (d.healthy()) {
     out += "healthy: closed, manifold, oriented outward, free of self-intersections\n";

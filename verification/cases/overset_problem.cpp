@@ -85,6 +85,7 @@ void add_facts(OversetSolver const& solver, CaseResult& r) {
   r.facts["remeshing_collapses"] = static_cast<double>(m.collapses);
   r.facts["remeshing_flips"] = static_cast<double>(m.flips), r.facts["remeshing_moves"] = static_cast<double>(m.moves);
   r.facts["remeshing_refused"] = static_cast<double>(m.refused), r.facts["remeshing_volume"] = m.volume;
+  r.facts["untangled"] = static_cast<double>(c.untangled), r.facts["tangled"] = static_cast<double>(c.tangled);
   double const problems = std::max(1.0, static_cast<double>(c.problems));
   r.facts["us_per_triangle_step"] = 1e6 * c.seconds_local / problems;
   double const all = c.seconds_local + c.seconds_gas + c.seconds_solid + c.seconds_geometry + c.seconds_fill;
