@@ -18,7 +18,7 @@ std::vector<CellPart> parts_within(CellKinds const& kinds, int rays) {
       for (int ray = 0; ray < rays * rays; ++ray) {
         double const y = middle[1] + ((ray % rays + 0.5) / rays - 0.5) * box.h;
         double const z = middle[2] + ((ray / rays + 0.5) / rays - 0.5) * box.h;
-        kinds.crossings(j, k, y, z, crossings);
+        kinds.crossings(y, z, crossings);
         for (std::size_t n = 0; n + 1 < crossings.size(); n += 2) {
           double const from = crossings[n], to = crossings[n + 1];
           int const last = kinds.cell_of({to, y, z})[0];

@@ -60,7 +60,7 @@ bool touches_cube(std::array<Vec3, 3> const& triangle, Vec3 const& centre, doubl
 CellKinds::CellKinds(WindowBox const& box, bool inside) : box_(box), inside_(inside) {
   std::size_t const n = cells_in(box.size);
   kinds_.assign(n, CellKind::foreign), before_ = kinds_, fringe_.assign(n, 0);
-  columns_.resize(static_cast<std::size_t>(box.size[1]) * static_cast<std::size_t>(box.size[2]));
+  columns_.resize(column(0, columns_in_cell * box.size[2]));
   is_image_.assign(n, 0);
   for (std::size_t i = 0; i < n; ++i) {
     Int3 of = cell(i);
@@ -148,13 +148,16 @@ void CellKinds::mark_cut() {
         beside[a] = high[a] < from || low[a] > to;
       }
       if (beside[1] || beside[2]) continue;
+      // lines along x cross a body whether or not the window holds all of it
+      Crossing const over{static_cast<int>(s), static_cast<int>(t), low[1], high[1], low[2], high[2]};
+      for (int k = column_along(2, low[2]); k <= column_along(2, high[2]); ++k) {
+        for (int j = column_along(1, low[1]); j <= column_along(1, high[1]); ++j)
+          columns_[column(j, k)].push_back(over);
+      }
+      if (beside[0]) continue;
       Int3 const c0 = cell_of(low), c1 = cell_of(high);
       for (int k = c0[2]; k <= c1[2]; ++k) {
         for (int j = c0[1]; j <= c1[1]; ++j) {
-          // lines along x cross a body whether or not the window holds all of it
-          columns_[column(j, k)].push_back(
-              {static_cast<int>(s), static_cast<int>(t), low[1], high[1], low[2], high[2]});
-          if (beside[0]) continue;
           for (int i = c0[0]; i <= c1[0]; ++i) {
             CellKind& kind = kinds_[static_cast<std::size_t>(index({i, j, k}))];
             if (kind != CellKind::cut && touches_cube(corners, centre({i, j, k}), half)) kind = CellKind::cut;
@@ -165,9 +168,9 @@ void CellKinds::mark_cut() {
   }
 }
 
-void CellKinds::crossings(int j, int k, double y, double z, std::vector<double>& x) const {
+void CellKinds::crossings(double y, double z, std::vector<double>& x) const {
   x.clear();
-  auto const& over = columns_[column(j, k)];
+  auto const& over = columns_[column(column_along(1, y), column_along(2, z))];
   for (std::size_t n = 0; n < over.size();) {
     std::size_t const s = static_cast<std::size_t>(over[n].surface), others = x.size();
     for (; n < over.size() && over[n].surface == static_cast<int>(s); ++n) {
@@ -189,7 +192,7 @@ void CellKinds::mark_sides() {
   for (int k = first[2]; k <= last[2]; ++k) {
     for (int j = first[1]; j <= last[1]; ++j) {
       Vec3 const c = centre({0, j, k});
-      crossings(j, k, c[1], c[2], crossed);
+      crossings(c[1], c[2], crossed);
       std::size_t passed = 0;
       for (int i = first[0]; i <= last[0]; ++i) {
         double const x = centre({i, j, k})[0];
@@ -255,7 +258,7 @@ bool CellKinds::in_medium(Vec3 const& point) const noexcept {
   Int3 const c = cell_of(x);
   std::size_t const i = static_cast<std::size_t>(index(c));
   if (kinds_[i] != CellKind::cut) return valid(i);
-  auto const& over = columns_[column(c[1], c[2])];
+  auto const& over = columns_[column(column_along(1, x[1]), column_along(2, x[2]))];
   bool odd = false;
   for (std::size_t n = 0; n < over.size();) {
     std::size_t const s = static_cast<std::size_t>(over[n].surface);

@@ -99,9 +99,8 @@ class CellKinds {
   [[nodiscard]] bool valid(std::size_t i) const noexcept { return kinds_[i] >= CellKind::shallow; }
   /// Whether a point belongs to the medium: by its cell, in a cut one by counting the surfaces along a ray.
   [[nodiscard]] bool in_medium(Vec3 const& x) const noexcept;
-  /// Where the line along x through (y, z), which lies over column (j, k), crosses the surfaces, and the mirror that
-  /// closes them: ascending.
-  void crossings(int j, int k, double y, double z, std::vector<double>& x) const;
+  /// Where the line along x through (y, z) crosses the surfaces, and the mirror that closes them: ascending.
+  void crossings(double y, double z, std::vector<double>& x) const;
   /// Those of the window that are up to `more` cells away from the box around the surfaces.
   [[nodiscard]] CellBlock near(int more) const noexcept;
   /// Calls f with their indices, ascending.
@@ -119,6 +118,7 @@ class CellKinds {
   [[nodiscard]] bool fringe(std::size_t i) const noexcept { return fringe_[i] != 0; }
 
  private:
+  static constexpr int columns_in_cell = 3;  ///< along y and along z: the fewer triangles over one, the sooner searched
   struct Crossing {
     int surface, triangle;
     double low_y, high_y, low_z, high_z;  ///< of the triangle [m]
@@ -126,8 +126,14 @@ class CellKinds {
       return y >= low_y && y <= high_y && z >= low_z && z <= high_z;
     }
   };
+  /// Number of the column over a point, across the axis a.
+  [[nodiscard]] int column_along(std::size_t a, double x) const noexcept {
+    double const at = std::floor((x - box_.lower[a]) * (columns_in_cell / box_.h)) - columns_in_cell * box_.first[a];
+    return static_cast<int>(std::clamp(at, 0.0, static_cast<double>(columns_in_cell * box_.size[a] - 1)));
+  }
   [[nodiscard]] std::size_t column(int j, int k) const noexcept {
-    return static_cast<std::size_t>(j) + static_cast<std::size_t>(box_.size[1]) * static_cast<std::size_t>(k);
+    return static_cast<std::size_t>(j) +
+           static_cast<std::size_t>(columns_in_cell * box_.size[1]) * static_cast<std::size_t>(k);
   }
   void mark_cut();
   void mark_sides();
@@ -143,7 +149,7 @@ class CellKinds {
   std::vector<ImageCell> images_;
   std::vector<TriangleSurface const*> surfaces_;
   std::vector<double> lids_;                    ///< [surface]: the mirror across x that closes it, where one does
-  std::vector<std::vector<Crossing>> columns_;  ///< triangles over each column of cells along x
+  std::vector<std::vector<Crossing>> columns_;  ///< triangles over each column along x
 };
 
 /// Where a line along x through (y, z) crosses a triangle. Lines through an edge or a corner cross exactly one of the

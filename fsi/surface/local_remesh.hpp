@@ -35,8 +35,8 @@ bool needs_remeshing(TriangleSurface const& surface, LocalRemeshOptions const& o
 /// shifted along the surface. Joining and shifting keep the volume: it is linear in the place of one vertex, which is
 /// corrected along the mean normal of the triangles around it; at corners and where an edge is turned it may change a
 /// little. A change that would turn a normal by more than 40 degrees or make a worse triangle is left out. The border
-/// of an open surface is parted and joined where it lies in a plane across an axis, along that plane. Needs a manifold surface; throws
-/// std::invalid_argument.
+/// of an open surface is parted and joined where it lies in a plane across an axis, along that plane. Needs a manifold
+/// surface; throws std::invalid_argument.
 LocalRemesh local_remesh(TriangleSurface const& surface, LocalRemeshOptions const& options);
 
 }  // namespace g27

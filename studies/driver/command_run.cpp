@@ -73,7 +73,8 @@ bool has_checkpoint(Scene const& scene, std::filesystem::path const& out) {
                      [&](SceneRun const& run) { return std::filesystem::exists(out / (run.name + ".h5")); });
 }
 
-/// What --set asks for; where it ends a run sooner, without the snapshots and expectations that are left beyond the end.
+/// What --set asks for; where it ends a run sooner, without the snapshots and expectations that are left beyond the
+/// end.
 std::vector<std::string> settings(std::filesystem::path const& file, std::vector<std::string> const& set) {
   auto const sets = [&](std::string const& key) {
     return std::any_of(set.begin(), set.end(), [&](std::string const& s) { return s.starts_with(key + "="); });

@@ -1,0 +1,132 @@
+/// The speed of a cube beside a detonating sphere, against what the spherical field alone gives a plate in its place.
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "studies/driver/atomic_file.hpp"
+#include "studies/driver/machine_threads.hpp"
+#include "studies/driver/scene_reader.hpp"
+#include "studies/driver/scene_run.hpp"
+#include "studies/driver/study.hpp"
+
+namespace g27 {
+namespace {
+
+/// Of the cube of three-cubes-quick: mass over face, and where its near face is at the start.
+constexpr double areal_mass = 7800 * 0.01;  ///< [kg/m^2]
+constexpr char const* near_face = "6 cm";
+
+/// The spherical field of the same charge, with and without a rigid wall where the near face is.
+std::string field_scene() {
+  return fmt::format(R"(
+title = "The field of a detonating sphere, and a rigid sphere around it"
+name  = "free"
+[time]
+end = "55 us"
+cfl = 0.8
+[scheme]
+order = 2
+[domain]
+symmetry = "spherical"
+extent   = ["0 cm", "40 cm"]
+cell     = "0.0125 cm"
+boundary = {{ left = "wall", right = "outflow" }}
+[material.products]
+eos = {{ type = "jwl", A = "708.6056 GPa", B = "13.16457 GPa", R1 = 4.94, R2 = 1.35, omega = 0.28, rho0 = "1.65 g/cm3" }}
+[ambient]
+density  = "1.2 kg/m3"
+pressure = "1 bar"
+[[charge]]
+radius  = "5 cm"
+density = "1.65 g/cm3"
+energy  = "8.2 GJ/m3"
+start   = "breakout"
+[output]
+every = "0.02 us"
+probe = [{{ name = "near face", position = "{0}" }}]
+[[variant]]
+name   = "wall"
+domain = {{ extent = ["0 cm", "{0}"], boundary = {{ right = "wall" }} }}
+output = {{ probe = [] }}
+)",
+                     near_face);
+}
+
+SceneResult ran(Scene const& scene, std::filesystem::path const& out) {
+  SceneResult result = run_scene(scene, {.out = out, .threads = threads_or_all(0)});
+  for (auto const& [run, why] : result.failures) throw std::runtime_error(fmt::format("{}: {}", run, why));
+  if (result.interrupted != 0) throw std::runtime_error("interrupted");
+  return result;
+}
+
+/// The integral of f(row) over the history's time up to each row.
+template <class F>
+std::vector<double> integrated(std::vector<double> const& time, F const& f) {
+  std::vector<double> sum(time.size(), 0);
+  for (std::size_t i = 1; i < time.size(); ++i) {
+    sum[i] = sum[i - 1] + 0.5 * (f(i - 1) + f(i)) * (time[i] - time[i - 1]);
+  }
+  return sum;
+}
+
+double at(std::vector<double> const& time, std::vector<double> const& value, double t) {
+  std::size_t i = 1;
+  while (i + 1 < time.size() && time[i] < t) ++i;
+  double const part = (t - time[i - 1]) / (time[i] - time[i - 1]);
+  return value[i - 1] + part * (value[i] - value[i - 1]);
+}
+
+StudyReport run(StudyContext const& context) {
+  auto const say = [&](double done, char const* what) {
+    if (context.progress) context.progress(done, what);
+  };
+  auto const folder = context.out / "field";
+  std::filesystem::create_directories(folder);
+  write_atomically(folder / "scene.toml", field_scene());
+  say(0, "the spherical field");
+  SceneResult const field = ran(read_scene(folder / "scene.toml", {}), folder);
+  say(0.1, "three cubes");
+  SceneResult const cubes = ran(read_scene(find_scene("three-cubes-quick"), {}), context.out / "cubes");
+
+  auto const& free = field.records.at("free-linear").history;
+  auto const& wall = field.records.at("wall-linear").history;
+  auto const& cube = cubes.records.begin()->second.history;
+  auto const &free_time = free["time"], &wall_time = wall["time"], &cube_time = cube["time"];
+  auto const &p = free["probe/near face/pressure"], &rho = free["probe/near face/density"],
+             &u = free["probe/near face/velocity"];
+  auto const stagnation = integrated(free_time, [&](std::size_t i) { return p[i] + rho[i] * u[i] * u[i]; });
+  auto const dynamic = integrated(free_time, [&](std::size_t i) { return rho[i] * u[i] * u[i]; });
+  auto const& reflected = wall["right_impulse"];
+  auto const& velocity = cube["body/top/velocity_z"];
+
+  Table table{
+      .name = "speeds",
+      .title = "Velocity of a plate of 78 kg/m^2 at 6 cm by the spherical field, and of the cube there",
+      .columns = {{"time", "us"}, {"rho u^2", "m/s"}, {"p + rho u^2", "m/s"}, {"rigid wall", "m/s"}, {"cube", "m/s"}},
+      .rows = {},
+      .facts = {}};
+  for (double const us : {8.0, 9.0, 10.0, 12.0, 15.0, 20.0, 30.0, 40.0, 55.0}) {
+    double const t = us * 1e-6;
+    table.rows.push_back({us, at(free_time, dynamic, t) / areal_mass, at(free_time, stagnation, t) / areal_mass,
+                          at(wall_time, reflected, t) / areal_mass, at(cube_time, velocity, t)});
+  }
+  double const least = dynamic.back() / areal_mass, most = reflected.back() / areal_mass;
+  double const middle = stagnation.back() / areal_mass;
+  return {{table},
+          {{"the cube is faster than by the momentum that would flow through its face in the free field",
+            fmt::format("{:.0f} m/s against {:.0f} m/s", velocity.back(), least), velocity.back() > least},
+           {"it is slower than a part of a rigid sphere around the charge, from which nothing escapes to the sides",
+            fmt::format("{:.0f} m/s against {:.0f} m/s", velocity.back(), most), velocity.back() < most},
+           {"within 25 % of the stagnation pressure p + rho u^2 of the free field on its face",
+            fmt::format("{:.0f} m/s against {:.0f} m/s: {:+.1f} %", velocity.back(), middle,
+                        100 * (velocity.back() / middle - 1)),
+            std::abs(velocity.back() / middle - 1) < 0.25}}};
+}
+
+}  // namespace
+
+Study fragment_speed_study() {
+  return {"fragment-speed", "a cube beside a detonating sphere gets the speed that the sphere's field has for it", run};
+}
+
+}  // namespace g27
