@@ -1,5 +1,4 @@
 """Where the characteristics that meet a face at half a time step start: the points that states are taken from."""
-import numpy as np
 
 
 def draw(axes, width, dt, speeds):
@@ -20,8 +19,3 @@ def draw(axes, width, dt, speeds):
     axes.set_xlabel("distance from the face [cells]; dots: centres of the cells")
     axes.set_ylabel("time [steps]")
     axes.legend(loc="upper left", fontsize=8)
-
-
-def steepest(values):
-    """The index after which neighbouring values differ most."""
-    return int(np.nanargmax(np.abs(np.diff(values))))
