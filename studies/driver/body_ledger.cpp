@@ -123,8 +123,7 @@ Table problem_table(Scene const& scene, SceneResult const& result) {
               .title =
                   "Local problems, one at each triangle in a step (redone by Godunov's scheme; failed there too and "
                   "left as they were; of bodies at rest), vertices drawn back where a surface ran through itself, "
-                  "steps after which it still did, "
-                  "and wall time of a step's parts",
+                  "steps after which it still did, and wall time of a step's parts",
               .columns = {{"run", "1"},
                           {"problems", "1"},
                           {"redone", "1"},

@@ -88,10 +88,6 @@ bool computed(Scene const& scene, CacheOptions const& options) {
 
 /// The file of the figure; nothing when its script failed.
 std::optional<std::string> drawn(FigureArguments const& arguments, std::string const& name, Strings files) {
-  if (fs::path(arguments.out).extension() == ".png") {
-    throw InputError("g27 figure", "--out", fmt::format("'{}' is to be a folder", arguments.out),
-                     fmt::format("leave the file out: {}.png is written there", name));
-  }
   make_output_folder(arguments.out);
   std::string const figure = (fs::path(arguments.out) / (name + ".png")).string();
   files.push_back(figure);
@@ -175,6 +171,10 @@ int gallery(FigureArguments const& arguments) {
 }  // namespace
 
 int command_figure(FigureArguments const& arguments) {
+  if (fs::path(arguments.out).extension() == ".png") {
+    throw InputError("g27 figure", "--out", fmt::format("'{}' is to be a folder", arguments.out),
+                     fmt::format("leave the file out: {}.png is written there", arguments.name));
+  }
   if (arguments.name == "gallery") return gallery(arguments);
   auto const needs = needs_of(figure_script(arguments.name));
   bool const of_scenes = !arguments.set.empty() || !arguments.scene.empty() || !arguments.grids.empty();
