@@ -6,6 +6,7 @@ are as wide as those of the gas's grid and of the body's own.
 import itertools
 
 import numpy as np
+from _paper import US
 from matplotlib.patches import Rectangle
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
@@ -70,3 +71,11 @@ def triangle_facing(body, direction):
     direction = np.asarray(direction, dtype=float) / np.linalg.norm(direction)
     aside = np.linalg.norm(np.cross(corners.mean(axis=1) - corners.mean(axis=(0, 1)), direction), axis=1)
     return int(np.argmin(np.where(normals @ direction > 0.7, aside, np.inf)))
+
+
+def towards_charge(run):
+    """At 8 us: the state, the body 'tilted', the triangle in the middle of its side towards the charge, and its grid."""
+    state = run.near(8 * US)
+    body = state.body("tilted")
+    triangle = triangle_facing(body, -body.vertices.mean(axis=0))
+    return state, body, triangle, LocalGrid(body, triangle, run.cell)

@@ -4,16 +4,14 @@ usage: fig05.py RUN.h5 OUT.png
 """
 # needs: three-cubes
 import numpy as np
-from _local_grid import COLOURS, LocalGrid, triangle_facing
-from _paper import CM, US, arguments, plt, save, solid, view
+from _local_grid import COLOURS, towards_charge
+from _paper import CM, arguments, plt, save, solid, view
 from matplotlib.patches import Patch
 
 
 def main():
     runs, out = arguments()
-    state = runs[0].near(8 * US)
-    body = state.body("tilted")
-    grid = LocalGrid(body, triangle_facing(body, -body.vertices.mean(axis=0)), runs[0].cell)
+    state, body, _, grid = towards_charge(runs[0])
     figure = plt.figure(figsize=(7.5, 7), constrained_layout=True)
     axes = figure.add_subplot(projection="3d", computed_zorder=False)
     solid(axes, body.whole(), alpha=0.35)

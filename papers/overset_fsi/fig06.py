@@ -3,15 +3,13 @@
 usage: fig06.py RUN.h5 OUT.png
 """
 # needs: three-cubes
-from _local_grid import LocalGrid, triangle_facing
-from _paper import US, arguments, plt, save
+from _local_grid import towards_charge
+from _paper import arguments, plt, save
 
 
 def main():
     runs, out = arguments()
-    state = runs[0].near(8 * US)
-    body = state.body("tilted")
-    grid = LocalGrid(body, triangle_facing(body, -body.vertices.mean(axis=0)), runs[0].cell)
+    state, _, _, grid = towards_charge(runs[0])
     figure, axes = plt.subplots(figsize=(5.5, 6.5), constrained_layout=True)
     grid.draw_section(axes, 1e-3)
     axes.legend(loc="upper right", fontsize=9)

@@ -3,17 +3,14 @@
 usage: fig07.py RUN.h5 OUT.png
 """
 # needs: three-cubes
-from _local_grid import LocalGrid, triangle_facing
+from _local_grid import towards_charge
 from _paper import US, arguments, plt, save
 
 
 def main():
     runs, out = arguments()
     run = runs[0]
-    state = run.near(8 * US)
-    body = state.body("tilted")
-    triangle = triangle_facing(body, -body.vertices.mean(axis=0))
-    grid = LocalGrid(body, triangle, run.cell)
+    state, body, triangle, grid = towards_charge(run)
     motion = float(body.group["velocity"][triangle] @ grid.axes[0]) * US
     figure, axes = plt.subplots(figsize=(5.5, 6.5), constrained_layout=True)
     grid.draw_section(axes, 1e-3, motion)
