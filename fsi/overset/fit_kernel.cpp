@@ -11,6 +11,17 @@ namespace {
 constexpr std::size_t lanes = width<Simd>;
 static_assert(fit_padding % lanes == 0);
 
+/// Numbers of the lanes that are set, from `first` on, after `count` others; writes as many as there are lanes.
+template <class Mask>
+G27_INLINE void append(Mask const& set, std::size_t first, int* numbers, std::size_t& count) noexcept {
+  bool one[lanes];
+  set.copy_to(one, stdx::element_aligned);
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    numbers[count] = static_cast<int>(first + lane);
+    count += one[lane] ? 1 : 0;
+  }
+}
+
 void near_cube(NearCubeArguments& g) noexcept {
   Simd const x0 = g.middle[0], y0 = g.middle[1], z0 = g.middle[2], half = g.half, limit = g.limit;
   std::size_t count = 0;
@@ -22,11 +33,7 @@ void near_cube(NearCubeArguments& g) noexcept {
       square += beyond * beyond;
     }
     auto const inside = square < limit;
-    if (!any(inside)) continue;
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-      g.kept[count] = static_cast<int>(i + lane);
-      count += inside[lane] ? 1 : 0;
-    }
+    if (any(inside)) append(inside, i, g.kept, count);
   }
   g.count = count;
 }
@@ -42,10 +49,7 @@ void moments(FitArguments& g) noexcept {
     if (!any(inside)) continue;
     Simd const w = select(inside, 1.0 / (square + fit_softening), 0.0);
     store(g.weight + i, w);
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-      g.near[count] = static_cast<int>(i + lane);
-      count += g.weight[i + lane] > 0 ? 1 : 0;
-    }
+    append(inside, i, g.near, count);
     Simd const wx = w * x, wy = w * y, wz = w * z;
     sum += w, x1 += wx, y1 += wy, z1 += wz;
     xx += wx * x, yy += wy * y, zz += wz * z, xy += wx * y, xz += wx * z, yz += wy * z;

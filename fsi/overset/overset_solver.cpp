@@ -122,7 +122,8 @@ struct OversetSolver::Impl {
         b.solid.kinds.classify(std::span(&own, 1));
       }
     }
-    for (auto const& b : bodies) compute_deep_cells(*b);
+#pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
+    for (std::size_t n = 0; n < bodies.size(); ++n) compute_deep_cells(*bodies[n]);
   }
 
   /// The grid of a body computes what its scheme updates: the rest of its window, where there is no body, costs
@@ -159,8 +160,19 @@ struct OversetSolver::Impl {
           },
           setup.start);
     }
-    read_states(true), set_gas_clouds(), set_solid_clouds(), write_back(true);
-    for (auto const& b : bodies) set_rate(*b);
+    read_states(true), set_gas_clouds(), set_solid_clouds(), write_back(true), set_rates(true);
+  }
+
+  /// Threads that go over the bodies side by side; loops within a body have them where there are fewer bodies.
+  [[nodiscard]] int over_bodies() const noexcept {
+    return bodies.size() >= static_cast<std::size_t>(threads) ? threads : 1;
+  }
+
+  void set_rates(bool all) {
+#pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
+    for (std::size_t n = 0; n < bodies.size(); ++n) {
+      if (all || sleeping[n] == 0) set_rate(*bodies[n]);
+    }
   }
 
   /// The time step of a body's grid goes by the cells of the body, not by what is around them in the tiles.
@@ -254,16 +266,16 @@ struct OversetSolver::Impl {
   /// Cells that the schemes have not updated: those of the medium from its donors, those around it continued, the rest
   /// at rest. `started`: every valid cell has its state already.
   void write_back(bool started) {
+    std::vector<std::vector<Int3>> gas_cells(bodies.size());
+    std::vector<std::vector<GasDensities>> gas_averages(bodies.size());
+#pragma omp parallel for num_threads(over_bodies()) schedule(dynamic, 1)
     for (std::size_t n = 0; n < bodies.size(); ++n) {
       auto const& b = bodies[n];
-      std::vector<Int3> cells;
-      std::vector<GasDensities> gas_averages;
       fill(
-          b->gas, started, b->ambient, 0, [](Int3 const&) { return true; }, cells,
-          [&](GasFields const& q) { gas_averages.push_back(densities_of(setup.gas.eos, q)); });
-      gas.replace(cells, gas_averages);
+          b->gas, started, b->ambient, 0, [](Int3 const&) { return true; }, gas_cells[n],
+          [&](GasFields const& q) { gas_averages[n].push_back(densities_of(setup.gas.eos, q)); });
       if (!started && sleeping[n] != 0) continue;
-      cells.clear();
+      std::vector<Int3> cells;
       std::vector<SolidDensities> solid_averages;
       Vec3 mean{0, 0, 0};
       for (TriangleState const& t : b->triangles)
@@ -277,6 +289,8 @@ struct OversetSolver::Impl {
           [&](SolidFields const& q) { solid_averages.push_back(densities_of(q)); });
       b->grid.replace(cells, solid_averages);
     }
+    // one after the other: their windows overlap
+    for (std::size_t n = 0; n < bodies.size(); ++n) gas.replace(gas_cells[n], gas_averages[n]);
   }
 
   void close() {
@@ -358,6 +372,21 @@ struct OversetSolver::Impl {
     return dt;
   }
 
+  /// Numbers of the triangles by the cells of the body's grid, along rows of blocks of cells: those that follow each
+  /// other share their donors.
+  static std::vector<std::size_t> in_blocks(Body const& b) {
+    constexpr int width = 3;  // of a block, in cells
+    std::vector<std::pair<std::array<int, 6>, std::size_t>> keyed(b.triangles.size());
+    for (std::size_t n = 0; n < keyed.size(); ++n) {
+      Int3 const c = b.solid.kinds.cell_of(b.triangles[n].centre);
+      keyed[n] = {{c[2] / width, c[1] / width, c[0] / width, c[2], c[1], c[0]}, n};
+    }
+    std::sort(keyed.begin(), keyed.end());
+    std::vector<std::size_t> order;
+    for (auto const& one : keyed) order.push_back(one.second);
+    return order;
+  }
+
   void solve_problems(double dt) {
     for (std::size_t n = 0; n < bodies.size(); ++n) {
       Body& b = *bodies[n];
@@ -366,6 +395,7 @@ struct OversetSolver::Impl {
         continue;
       }
       std::size_t const count = b.triangles.size(), batches = (count + ModelProblems::lanes - 1) / ModelProblems::lanes;
+      std::vector<std::size_t> const order = in_blocks(b);
       std::vector<std::array<Vec3, 2>> gradient(count);
       results[n].resize(count);
 #pragma omp parallel num_threads(threads)
@@ -375,12 +405,15 @@ struct OversetSolver::Impl {
         for (std::size_t batch = 0; batch < batches; ++batch) {
           std::size_t const first = batch * ModelProblems::lanes, size = std::min(ModelProblems::lanes, count - first);
           std::array<ModelStencil, ModelProblems::lanes> stencils;
+          std::array<ModelResult, ModelProblems::lanes> found;
           for (std::size_t k = 0; k < size; ++k) {
-            stencils[k] = b.stencil(first + k, nearby);
-            gradient[first + k] = b.velocity_gradient(first + k, stencils[k]);
+            std::size_t const t = order[first + k];
+            stencils[k] = b.stencil(t, nearby);
+            gradient[t] = b.velocity_gradient(t, stencils[k]);
           }
           problems[n][static_cast<std::size_t>(omp_get_thread_num())].solve(std::span(stencils).first(size), dt,
-                                                                            std::span(results[n]).subspan(first, size));
+                                                                            std::span(found).first(size));
+          for (std::size_t k = 0; k < size; ++k) results[n][order[first + k]] = found[k];
         }
       }
       for (std::size_t t = 0; t < count; ++t) b.triangles[t].gradient = gradient[t];
@@ -404,13 +437,15 @@ struct OversetSolver::Impl {
       if (r.status != StepStatus::ok) return r;
     }
     double const gas_done = seconds();
+    std::vector<GridStepReport> of_solids(bodies.size(), report);
+#pragma omp parallel for num_threads(over_bodies()) schedule(dynamic, 1)
     for (std::size_t n = 0; n < bodies.size(); ++n) {
       SolidGrid& grid = bodies[n]->grid;
       if (sleeping[n] != 0) grid.rest(time + dt);
-      while (grid.time() < time + dt) {
-        GridStepReport const r = grid.step(time + dt);
-        if (r.status != StepStatus::ok) return r;
-      }
+      while (grid.time() < time + dt && of_solids[n].status == StepStatus::ok) of_solids[n] = grid.step(time + dt);
+    }
+    for (GridStepReport const& r : of_solids) {
+      if (r.status != StepStatus::ok) return r;
     }
     double const solid_done = seconds();
     std::exception_ptr trouble;  // a surface that cannot be meshed anew
@@ -437,9 +472,7 @@ struct OversetSolver::Impl {
     if (tied > 0) set_solid_clouds();
     write_back(false);
     if (setup.closure) close();
-    for (std::size_t n = 0; n < bodies.size(); ++n) {
-      if (sleeping[n] == 0) set_rate(*bodies[n]);
-    }
+    set_rates(false);
     double const done = seconds();
     counters.seconds_local += solved - began, counters.seconds_gas += gas_done - solved;
     counters.seconds_solid += solid_done - gas_done, counters.seconds_geometry += placed - solid_done;
