@@ -153,4 +153,18 @@ std::array<Vec3, 2> Body::velocity_gradient(std::size_t triangle, ModelStencil c
           inverse * f.out_of(velocity_of(layer[1][2]) - velocity_of(layer[1][0]))};
 }
 
+std::vector<std::size_t> Body::neighbours_in_turn() const {
+  constexpr int width = 3;  // of blocks of cells, which are gone through in rows
+  std::vector<std::pair<std::array<int, 6>, std::size_t>> keyed(triangles.size());
+  for (std::size_t n = 0; n < keyed.size(); ++n) {
+    Int3 const c = solid.kinds.cell_of(triangles[n].centre);
+    keyed[n] = {{c[2] / width, c[1] / width, c[0] / width, c[2], c[1], c[0]}, n};
+  }
+  std::sort(keyed.begin(), keyed.end());
+  std::vector<std::size_t> order;
+  order.reserve(keyed.size());
+  for (auto const& one : keyed) order.push_back(one.second);
+  return order;
+}
+
 }  // namespace g27

@@ -88,6 +88,8 @@ struct Body {
     Donors<GasFields>::Around gas;
     Donors<SolidFields>::Around solid;
   };
+  /// Numbers of all triangles, such that those which follow each other are close and share most of what is `nearby`.
+  [[nodiscard]] std::vector<std::size_t> neighbours_in_turn() const;
   /// Cells of the model problem of a triangle, from time-n data alone.
   [[nodiscard]] ModelStencil stencil(std::size_t triangle, Nearby& nearby) const;
   /// In-plane gradient of the solid's velocity of that stencil, for the vertices.

@@ -8,16 +8,14 @@
 #include <exception>
 
 #include "fsi/overset/asleep.hpp"
+#include "fsi/overset/clouds.hpp"
+#include "fsi/overset/fill.hpp"
 #include "fsi/overset/thin_rims.hpp"
 #include "fsi/overset/untangle.hpp"
 
 namespace g27 {
 
 namespace {
-
-/// Width of the gas's cells over that of a body's, and so of its triangles, from which on there are so many of these to
-/// a cell that a fit would read ten cores for each.
-constexpr double dense_from = 1.5;
 
 double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
@@ -33,7 +31,7 @@ struct OversetSolver::Impl {
   std::vector<BodyMomentum> momenta;
   std::vector<char> sleeping;  ///< [body]: nothing has reached it; it never falls asleep again
   OversetCounters counters;
-  double time = 0, last_dt = 0;
+  double time = 0, last_dt = 0, stable = 0;  ///< of the next step at most
   int threads;
 
   Impl(OversetSetup s, std::function<GasPoint(Vec3 const&)> start)
@@ -67,6 +65,7 @@ struct OversetSolver::Impl {
     classify();
     for (auto const& b : bodies) b->gas.update(), b->solid.update();
     set_gas_clouds(), set_solid_clouds();
+    stable = find_stable_dt();
   }
 
   [[nodiscard]] OversetState state() const {
@@ -161,6 +160,7 @@ struct OversetSolver::Impl {
           setup.start);
     }
     read_states(true), set_gas_clouds(), set_solid_clouds(), write_back(true), set_rates(true);
+    stable = find_stable_dt();
   }
 
   /// Threads that go over the bodies side by side; loops within a body have them where there are fewer bodies.
@@ -208,59 +208,13 @@ struct OversetSolver::Impl {
   }
 
   void set_gas_clouds() {
-    double const h_gas = gas.widths()[0];
 #pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
-    for (std::size_t at = 0; at < bodies.size(); ++at) {
-      Body& b = *bodies[at];
-      std::vector<CloudPoint<GasFields>> points;
-      for (auto const& other : bodies) {
-        for (std::size_t n = 0; n < other->triangles.size(); ++n) {
-          TriangleState const& t = other->triangles[n];
-          for (std::size_t k = 0; k < core_layers; ++k) {
-            Vec3 const x = core_centre(t, k, h_gas);
-            if (near(b.gas.kinds, x) && b.gas.kinds.in_medium(x)) add(points, b.gas.kinds, x, t.gas[k], t.centre, n);
-          }
-        }
-      }
-      b.gas.donors.set_cloud(points, h_gas > dense_from * b.setup.cell);
-    }
+    for (std::size_t n = 0; n < bodies.size(); ++n) set_gas_cloud(*bodies[n], bodies);
   }
 
   void set_solid_clouds() {
 #pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
-    for (std::size_t at = 0; at < bodies.size(); ++at) {
-      Body& b = *bodies[at];
-      std::vector<CloudPoint<SolidFields>> points;
-      for (std::size_t n = 0; n < b.triangles.size(); ++n) {
-        TriangleState const& t = b.triangles[n];
-        for (std::size_t k = 0; k < core_layers; ++k) {
-          Vec3 const x = core_centre(t, k, -b.setup.cell);
-          if (k == 0 || b.solid.kinds.in_medium(x)) add(points, b.solid.kinds, x, t.solid[k], t.centre, n);
-        }
-      }
-      b.solid.donors.set_cloud(points, false);
-    }
-  }
-
-  /// A core, and its images.
-  template <class Fields>
-  static void add(std::vector<CloudPoint<Fields>>& points, CellKinds const& kinds, Vec3 const& x, Fields const& q,
-                  Vec3 const& foot, std::size_t triangle) {
-    int const number = static_cast<int>(triangle);
-    if (near(kinds, x)) points.push_back({x, q, number, foot});
-    Mirrors const& mirrors = kinds.box().mirrors;
-    mirrors.for_each([&](Image const& image) {
-      Vec3 const y = mirrors.image(x, image);
-      if (near(kinds, y)) points.push_back({y, reflected(q, image), number, mirrors.image(foot, image), image});
-    });
-  }
-  static bool near(CellKinds const& kinds, Vec3 const& x) {
-    WindowBox const& box = kinds.box();
-    for (std::size_t a = 0; a < 3; ++a) {
-      double const from = box.lower[a] + box.first[a] * box.h;
-      if (x[a] < from || x[a] > from + box.size[a] * box.h) return false;
-    }
-    return true;
+    for (std::size_t n = 0; n < bodies.size(); ++n) set_solid_cloud(*bodies[n]);
   }
 
   /// Cells that the schemes have not updated: those of the medium from its donors, those around it continued, the rest
@@ -273,7 +227,7 @@ struct OversetSolver::Impl {
       auto const& b = bodies[n];
       fill(
           b->gas, started, b->ambient, 0, [](Int3 const&) { return true; }, gas_cells[n],
-          [&](GasFields const& q) { gas_averages[n].push_back(densities_of(setup.gas.eos, q)); });
+          [&](GasFields const& q) { gas_averages[n].push_back(densities_of(setup.gas.eos, q)); }, threads);
       if (!started && sleeping[n] != 0) continue;
       std::vector<Int3> cells;
       std::vector<SolidDensities> solid_averages;
@@ -286,7 +240,7 @@ struct OversetSolver::Impl {
       fill(
           b->solid, started, b->background, *std::max_element(tile.begin(), tile.end()),
           [&](Int3 const& c) { return b->grid.computes(c); }, cells,
-          [&](SolidFields const& q) { solid_averages.push_back(densities_of(q)); });
+          [&](SolidFields const& q) { solid_averages.push_back(densities_of(q)); }, threads);
       b->grid.replace(cells, solid_averages);
     }
     // one after the other: their windows overlap
@@ -311,50 +265,15 @@ struct OversetSolver::Impl {
     set_solid_clouds();
   }
 
-  /// `computed`: whether a cell of the grid's is read or stepped at all where it is neither of the medium nor beside
-  /// it; within `around` cells of the bodies.
-  template <class Fields, class Computed, class Put>
-  void fill(Region<Fields>& region, bool started, Fields const& still, int around, Computed const& computed,
-            std::vector<Int3>& cells, Put const& put) {
-    using From = typename Donors<Fields>::From;
-    CellKinds const& kinds = region.kinds;
-    std::vector<std::size_t> wanted, fringe;
-    kinds.for_each_near(around, [&](std::size_t i) {
-      if (kinds.is_image(i)) return;
-      if (kinds.valid(i)) {
-        if (!started && kinds.kind_before(i) != CellKind::deep) wanted.push_back(i);
-      } else if (kinds.fringe(i)) {
-        fringe.push_back(i);
-      } else if (Int3 const c = kinds.in_grid(kinds.cell(i)); computed(c)) {
-        cells.push_back(c), put(still);
-      }
-    });
-    std::vector<Fields> filled(wanted.size());
-#pragma omp parallel for num_threads(threads) schedule(dynamic, 32)
-    for (std::size_t n = 0; n < wanted.size(); ++n) {
-      filled[n] = region.donors.at(kinds.centre(kinds.cell(wanted[n])), From::own_update, region.states[wanted[n]]);
-    }
-    for (std::size_t n = 0; n < wanted.size(); ++n) {
-      region.states[wanted[n]] = filled[n];
-      cells.push_back(kinds.in_grid(kinds.cell(wanted[n]))), put(filled[n]);
-    }
-    region.update();
-    filled.resize(fringe.size());
-#pragma omp parallel for num_threads(threads) schedule(dynamic, 32)
-    for (std::size_t n = 0; n < fringe.size(); ++n) {
-      filled[n] = region.donors.at(kinds.centre(kinds.cell(fringe[n])), From::valid, still);
-    }
-    for (std::size_t n = 0; n < fringe.size(); ++n)
-      cells.push_back(kinds.in_grid(kinds.cell(fringe[n]))), put(filled[n]);
-  }
-
-  [[nodiscard]] double stable_dt() const {
+  [[nodiscard]] double find_stable_dt() const {
     double dt = gas.stable_dt();
     double const h_gas = gas.widths()[0];
     for (auto const& b : bodies) {
       dt = std::min(dt, b->grid.stable_dt());
       double rate = 0;
-      for (TriangleState const& t : b->triangles) {
+#pragma omp parallel for num_threads(threads) schedule(static) reduction(max : rate)
+      for (std::size_t n = 0; n < b->triangles.size(); ++n) {
+        TriangleState const& t = b->triangles[n];
         GasFields const& q = t.gas[0];
         Vec3 const v = t.frame.into(velocity_of(q) - t.velocity);
         double const K = std::visit(
@@ -372,21 +291,6 @@ struct OversetSolver::Impl {
     return dt;
   }
 
-  /// Numbers of the triangles by the cells of the body's grid, along rows of blocks of cells: those that follow each
-  /// other share their donors.
-  static std::vector<std::size_t> in_blocks(Body const& b) {
-    constexpr int width = 3;  // of a block, in cells
-    std::vector<std::pair<std::array<int, 6>, std::size_t>> keyed(b.triangles.size());
-    for (std::size_t n = 0; n < keyed.size(); ++n) {
-      Int3 const c = b.solid.kinds.cell_of(b.triangles[n].centre);
-      keyed[n] = {{c[2] / width, c[1] / width, c[0] / width, c[2], c[1], c[0]}, n};
-    }
-    std::sort(keyed.begin(), keyed.end());
-    std::vector<std::size_t> order;
-    for (auto const& one : keyed) order.push_back(one.second);
-    return order;
-  }
-
   void solve_problems(double dt) {
     for (std::size_t n = 0; n < bodies.size(); ++n) {
       Body& b = *bodies[n];
@@ -395,7 +299,7 @@ struct OversetSolver::Impl {
         continue;
       }
       std::size_t const count = b.triangles.size(), batches = (count + ModelProblems::lanes - 1) / ModelProblems::lanes;
-      std::vector<std::size_t> const order = in_blocks(b);
+      std::vector<std::size_t> const order = b.neighbours_in_turn();
       std::vector<std::array<Vec3, 2>> gradient(count);
       results[n].resize(count);
 #pragma omp parallel num_threads(threads)
@@ -422,7 +326,7 @@ struct OversetSolver::Impl {
   }
 
   GridStepReport step(double t_end) {
-    double dt = stable_dt();
+    double dt = stable;
     dt = last_dt > 0 ? std::min(dt, setup.growth * last_dt) : setup.first * dt;
     last_dt = dt;
     if (time + dt > t_end - 1e-10 * dt) dt = t_end - time;
@@ -473,6 +377,7 @@ struct OversetSolver::Impl {
     write_back(false);
     if (setup.closure) close();
     set_rates(false);
+    stable = find_stable_dt();
     double const done = seconds();
     counters.seconds_local += solved - began, counters.seconds_gas += gas_done - solved;
     counters.seconds_solid += solid_done - gas_done, counters.seconds_geometry += placed - solid_done;
@@ -513,7 +418,7 @@ OversetSolver::OversetSolver(OversetSetup setup, OversetState const& from)
     : impl_(std::make_unique<Impl>(std::move(setup), from)) {}
 OversetSolver::~OversetSolver() = default;
 OversetState OversetSolver::state() const { return impl_->state(); }
-double OversetSolver::stable_dt() const { return impl_->stable_dt(); }
+double OversetSolver::stable_dt() const { return impl_->stable; }
 GridStepReport OversetSolver::step(double t_end) { return impl_->step(t_end); }
 double OversetSolver::time() const noexcept { return impl_->time; }
 GasGrid const& OversetSolver::gas() const noexcept { return impl_->gas; }

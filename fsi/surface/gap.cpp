@@ -18,17 +18,24 @@ bool beside(BoundingBox const& box, Vec3 const& x, double distance) {
 /// Least distance of the vertices of `a` to the triangles of `b`.
 double one_way(TriangleSurface const& a, TriangleSurface const& b, double enough) {
   BoundingBox const box_a = bounding_box(a), box_b = bounding_box(b);
-  std::vector<std::size_t> near;
+  struct Near {
+    std::array<Vec3, 3> corners;
+    double size;  // no point of the triangle is farther from its first corner
+  };
+  std::vector<Near> near;
   for (std::size_t t = 0; t < b.size(); ++t) {
     auto const corners = b.corners(t);
-    bool far = true;
-    for (Vec3 const& c : corners) far = far && beside(box_a, c, enough + length(corners[1] - corners[0]));
-    if (!far) near.push_back(t);
+    double const size = std::max(length(corners[1] - corners[0]), length(corners[2] - corners[0]));
+    if (!beside(box_a, corners[0], enough + size)) near.push_back({corners, size});
   }
   double least = enough;
   for (Vec3 const& x : a.vertices) {
     if (beside(box_b, x, least)) continue;
-    for (std::size_t t : near) least = std::min(least, distance(x, b.corners(t)));
+    for (Near const& t : near) {
+      Vec3 const r = x - t.corners[0];
+      double const reach = least + t.size;
+      if (dot(r, r) < reach * reach) least = std::min(least, distance(x, t.corners));
+    }
   }
   return least;
 }
