@@ -2,7 +2,7 @@
 
 usage: fig20.py RUN.h5 OUT.png
 """
-# needs: tetrahedron
+# needs: tetrahedron --set variant=[]
 import _residual
 
 if __name__ == "__main__":
