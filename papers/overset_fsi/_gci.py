@@ -46,5 +46,5 @@ def draw_band(axes, cells, curves, colour, what, unit=1.0):
     fine = np.interp(times, *curves[0])
     axes.fill_between(times / unit, fine - width, fine + width, color=colour, alpha=0.15, lw=0)
     if np.isnan(order):
-        return f"{what}: not monotone, band is 3 times the spread"
+        return f"{what}: no order, the grids' differences do not fall; band is 3 times their spread"
     return f"{what}: observed order {order:.2f}, GCI {width[-1]:.3g} m/s at the end"
