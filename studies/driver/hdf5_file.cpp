@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <hdf5.h>
 
+#include <algorithm>
 #include <numeric>
 
 namespace g27 {
@@ -76,11 +77,26 @@ void write_text_attribute(hid_t object, std::string const& name, std::string con
   write_attribute(object, name, type, value.c_str());
 }
 
+/// Reading data that has been damaged fails, by the checksum of each chunk: slabs of the first dimension.
+hid_t with_checksums(hid_t space, std::size_t size_of_one) {
+  constexpr hsize_t most = hsize_t{1} << 20;  // bytes of a chunk of more than one slab
+  hid_t const properties = H5Pcreate(H5P_DATASET_CREATE);
+  int const rank = H5Sget_simple_extent_ndims(space);
+  if (rank < 1 || H5Sget_simple_extent_npoints(space) < 1) return properties;
+  std::vector<hsize_t> chunk(static_cast<std::size_t>(rank));
+  H5Sget_simple_extent_dims(space, chunk.data(), nullptr);
+  hsize_t const slab = std::accumulate(chunk.begin() + 1, chunk.end(), hsize_t{size_of_one}, std::multiplies<>{});
+  chunk[0] = std::clamp<hsize_t>(most / slab, 1, chunk[0]);
+  check(H5Pset_chunk(properties, rank, chunk.data()), "choose chunks");
+  check(H5Pset_fletcher32(properties), "choose checksums");
+  return properties;
+}
+
 void write_dataset(hid_t file, std::string const& path, hid_t type, hid_t space, void const* data,
                    std::string const* unit) {
   Handle const links(with_groups(), H5Pclose, "make link properties");
-  Handle dataset(H5Dcreate2(file, path.c_str(), type, space, links, H5P_DEFAULT, H5P_DEFAULT), H5Dclose,
-                 "create " + path);
+  Handle const layout(with_checksums(space, H5Tget_size(type)), H5Pclose, "make dataset properties");
+  Handle dataset(H5Dcreate2(file, path.c_str(), type, space, links, layout, H5P_DEFAULT), H5Dclose, "create " + path);
   check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data), "write " + path);
   if (unit != nullptr) {
     write_text_attribute(dataset, "units", *unit);
@@ -224,7 +240,8 @@ std::vector<double> Hdf5Reader::read(std::string const& path) const {
   auto const dims = shape(path);
   std::vector<double> data(std::accumulate(dims.begin(), dims.end(), std::size_t{1}, std::multiplies<>{}));
   Handle const dataset(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose, "open " + path + " of " + name_);
-  check(H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.data()), "read " + path);
+  check(H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.data()),
+        "read " + path + " of " + name_ + ", which may be damaged");
   return data;
 }
 
@@ -232,7 +249,8 @@ std::string Hdf5Reader::read_text(std::string const& path) const {
   Handle const dataset(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose, "open " + path + " of " + name_);
   Handle const type(H5Dget_type(dataset), H5Tclose, "read the type of " + path);
   std::string text(H5Tget_size(type), '\0');
-  check(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()), "read " + path);
+  check(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()),
+        "read " + path + " of " + name_ + ", which may be damaged");
   return trimmed(text);
 }
 

@@ -61,14 +61,15 @@ std::map<std::string, double> read_parameters(Section const& any, std::string co
     }
     auto const unit = parse_unit(parameter.unit == "1" ? "%" : parameter.unit).value_or(Quantity{});
     Dimension const dimension{parameter.what, parameter.unit, unit.exponents};
-    std::string const example = fmt::format("{} {}", parameter.default_value, parameter.unit);
+    std::string const unit_text = parameter.unit == "1" ? "" : fmt::format(" {}", parameter.unit);
+    std::string const example = fmt::format("{}{}", parameter.default_value, unit_text);
     Node const& node = section.need(parameter.name, fmt::format("\"{}\"", example));
     double const value = section.quantity_of(node, parameter.name, {dimension.name, example, dimension.exponents});
     if (value > parameter.highest || value < parameter.lowest ||
         (value == parameter.lowest && !parameter.lowest_included)) {
       throw section.error(parameter.name, fmt::format("{} is out of range", value),
-                          fmt::format("choose it in {}{}, {}] {}", parameter.lowest_included ? '[' : '(',
-                                      parameter.lowest, parameter.highest, parameter.unit));
+                          fmt::format("choose it in {}{}, {}]{}", parameter.lowest_included ? '[' : '(',
+                                      parameter.lowest, parameter.highest, unit_text));
     }
     values[parameter.name] = value;
   }

@@ -56,11 +56,10 @@ CellFit cell_fit(StlReport const& r) {
 std::string unit_hint(StlReport const& r) {
   Vec3 const size = r.diagnosis.box.upper - r.diagnosis.box.lower;
   double const extent = std::max({size[0], size[1], size[2]});
-  if (extent > 10)
-    return fmt::format("the body is {:.4g} m across: is {} the file's unit, or mm? (--unit)", extent, r.unit_name);
-  if (extent < 1e-4)
-    return fmt::format("the body is {:.4g} m across: is {} the file's unit, or m? (--unit)", extent, r.unit_name);
-  return {};
+  if (extent >= 1e-4 && extent <= 10) return {};
+  std::string const other = extent > 10 ? "mm" : "m";
+  return fmt::format("the body is {:.4g} m across: is {} the file's unit{}? (--unit)", extent, r.unit_name,
+                     r.unit_name == other ? "" : ", or " + other);
 }
 
 nlohmann::ordered_json json_of(std::vector<SurfaceFinding> const& findings) {

@@ -66,6 +66,27 @@ TEST_CASE("misuse and damage are errors, not crashes", "[hdf5]") {
   CHECK_THROWS_AS(g27::Hdf5Reader(folder.path / "a.h5"), g27::OutputError);
 }
 
+// Any byte of the data may be hit; checksums of the chunks are the property. Data of 8 kB holds no byte of metadata.
+TEST_CASE("data of which one bit has changed is not read", "[hdf5]") {
+  Folder const folder;
+  fs::path const file = folder.path / "a.h5";
+  std::vector<double> data(1000);
+  for (std::size_t i = 0; i < data.size(); ++i) data[i] = 1e6 + static_cast<double>(i);
+  {
+    g27::Hdf5Writer out;
+    out.write("/density", data, "kg/m3");
+    out.save(file);
+  }
+  std::ifstream in(file, std::ios::binary);
+  std::string bytes((std::istreambuf_iterator<char>(in)), {});
+  std::string const number(reinterpret_cast<char const*>(&data[500]), sizeof(double));
+  std::size_t const at = bytes.find(number);
+  REQUIRE(at != std::string::npos);
+  bytes[at] = static_cast<char>(bytes[at] ^ 1);
+  std::ofstream(file, std::ios::binary) << bytes;
+  CHECK_THROWS_AS(g27::Hdf5Reader(file).read("/density"), g27::OutputError);
+}
+
 TEST_CASE("a failing disk leaves the previous complete file", "[hdf5]") {
   Folder const folder;
   fs::path const file = folder.path / "a.h5";
