@@ -6,8 +6,10 @@
 
 namespace g27 {
 
-/// `computed`: whether a cell of the grid's is read or stepped at all where it is neither of the medium nor beside
-/// it; within `around` cells of the bodies.
+/// Within `around` cells of the bodies: cells of the medium that were not deep before take their states from their
+/// donors (with `started` they have them already), those beside the medium are continued, and the rest is `still` where
+/// `computed` says that the grid reads or steps the cell. Appends to `cells` in the grid's numbers and calls put(state)
+/// for each.
 template <class Fields, class Computed, class Put>
 void fill(Region<Fields>& region, bool started, Fields const& still, int around, Computed const& computed,
           std::vector<Int3>& cells, Put const& put, int threads) {
