@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "fsi/ale/model_problem.hpp"
+#include "fsi/overset/body_spin.hpp"
 #include "fsi/overset/donors.hpp"
 #include "scheme/step/gas_grid.hpp"
 #include "scheme/step/solid_grid.hpp"
@@ -56,9 +57,9 @@ struct Region {
   Region(WindowBox const& box, bool inside, typename Donors<Fields>::Law const& law = {})
       : kinds(box, inside), states(kinds.count()), donors(kinds, states, law) {}
   /// After states of cells have changed: those of their images, and the donors.
-  void update() {
+  void update(int threads) {
     for (ImageCell const& i : kinds.images()) states[i.cell] = reflected(states[i.of], i.image);
-    donors.update();
+    donors.update(threads);
   }
   Region(Region const&) = delete;
   Region& operator=(Region const&) = delete;
@@ -82,11 +83,12 @@ struct Body {
   void connect();
   /// Frames, centres and areas by the vertices.
   void place_triangles();
-  /// Donors about the triangles, of one thread in one step; neighbours share them.
+  /// What model problems are made from, of one thread in one step: donors about the triangles, which neighbours share.
   struct Nearby {
-    explicit Nearby(Body const& body) : gas(body.gas.donors), solid(body.solid.donors) {}
+    explicit Nearby(Body const& body) : gas(body.gas.donors), solid(body.solid.donors), spin(spin_of(body)) {}
     Donors<GasFields>::Around gas;
     Donors<SolidFields>::Around solid;
+    Vec3 spin;  ///< of the body
   };
   /// Numbers of all triangles, such that those which follow each other are close and share most of what is `nearby`.
   [[nodiscard]] std::vector<std::size_t> neighbours_in_turn() const;

@@ -155,14 +155,22 @@ ModelStencil Body::stencil(std::size_t triangle, Nearby& nearby) const {
     });
     return found;
   };
+  // where the local grid does not tell how the velocity goes on, it turns with the body: fits to what is around a tip
+  // would have more than that, and let the blast tear tips off
+  auto const turned = [&](Vec3 const& way) { return f.into(cross(nearby.spin, way)); };
+  auto const add_velocity = [](SolidFields& q, Vec3 const& u) {
+    for (std::size_t c = 0; c < 3; ++c) q[field::u + c] += u[c];
+  };
   for (std::size_t k = 0; k < 3; ++k) {
     double const layer = static_cast<double>(k);
     bool const behind = k > 0 && !there[k][1][1];  // the body ends before this layer
     if (behind) {
       double const pressure = wall_at(place(-layer * h, h, 1, 1)).pressure;
+      Vec3 const change = turned(-h * f.n);
       for (std::size_t a = 0; a < 3; ++a) {
         for (std::size_t b = 0; b < 3; ++b) {
           s.solid[k][a][b] = s.solid[k - 1][a][b], s.solid_smooth[k][a][b] = s.solid_smooth[k - 1][a][b];
+          add_velocity(s.solid[k][a][b], change), add_velocity(s.solid_smooth[k][a][b], change);
           set_traction(s.solid[k][a][b], {1, 0, 0}, pressure);
           s.solid_ghost[k][a][b] = true;
         }
@@ -183,6 +191,8 @@ ModelStencil Body::stencil(std::size_t triangle, Nearby& nearby) const {
           smooth = plus(plus(centre, x, slope[k].a), y, slope[k].b);
         } else if (there[k][2 - a][2 - b]) {
           smooth = plus(plus(centre, 1, centre), -1, s.solid[k][2 - a][2 - b]);
+        } else {
+          add_velocity(smooth, turned(in_layer(k, -h, a, b) - in_layer(k, -h, 1, 1)));
         }
         SolidFields q = centre;
         Vec3 const side = place(-(layer + 0.5) * h, 0.5 * h, a, b);

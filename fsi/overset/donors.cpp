@@ -64,9 +64,10 @@ bool is_velocity(std::size_t f) noexcept { return f >= 1 && f <= 3; }
 }  // namespace
 
 template <class Fields>
-void Donors<Fields>::update() {
+void Donors<Fields>::update([[maybe_unused]] int threads) {
   if constexpr (!of_gas) return;
   energy_.resize(states_.size());
+#pragma omp parallel for num_threads(threads) schedule(static)
   for (std::size_t i = 0; i < states_.size(); ++i) {
     if (kinds_.valid(i)) energy_[i] = energy_of(law_, states_[i]);
   }

@@ -23,7 +23,7 @@ class Donors {
       : kinds_(kinds), states_(states), law_(law) {}
 
   /// To be called when the states of cells have changed.
-  void update();
+  void update(int threads);
   /// `dense`: many points of gas in a cell, so that those in one octant of it become one.
   void set_cloud(std::vector<CloudPoint<Fields>> const& points, bool dense);
 

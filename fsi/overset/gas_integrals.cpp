@@ -53,6 +53,12 @@ std::vector<NearCell> near_cells(OversetSolver const& solver, int rays) {
   return out;
 }
 
+void add(double v, Vec3 const& x, GasDensities const& q, GasIntegrals& to) {
+  to.volume += v, to.mass += v * q.mass, to.energy += v * q.energy;
+  Vec3 const momentum = v * q.momentum;
+  to.momentum = to.momentum + momentum, to.angular = to.angular + cross(x, momentum);
+}
+
 }  // namespace
 
 std::vector<double> gas_share(OversetSolver const& solver, int rays) {
@@ -66,19 +72,29 @@ GasIntegrals gas_integrals(OversetSolver const& solver, int rays) {
   GasGrid const& gas = solver.gas();
   Vec3 const h = gas.widths();
   double const volume = h[0] * h[1] * h[2];
+  Int3 const n = gas.cells();
+  // a layer of cells each, so that the threads do not decide the order of a sum
+  std::vector<GasIntegrals> layers(static_cast<std::size_t>(n[2]));
+#pragma omp parallel for num_threads(gas.setup().options.threads) schedule(dynamic, 1)
+  for (int k = 0; k < n[2]; ++k) {
+    GasIntegrals layer;
+    for_each_cell({n[0], n[1], 1}, [&](Int3 const& at) {
+      Int3 const cell{at[0], at[1], k};
+      add(volume, gas.centre(cell), gas.average(cell), layer);
+    });
+    layers[static_cast<std::size_t>(k)] = layer;
+  }
   GasIntegrals out;
-  auto const add = [&](double v, Vec3 const& x, GasDensities const& q) {
-    out.volume += v, out.mass += v * q.mass, out.energy += v * q.energy;
-    Vec3 const momentum = v * q.momentum;
-    out.momentum = out.momentum + momentum, out.angular = out.angular + cross(x, momentum);
-  };
-  for_each_cell(gas.cells(), [&](Int3 const& cell) { add(volume, gas.centre(cell), gas.average(cell)); });
+  for (GasIntegrals const& layer : layers) {
+    out.volume += layer.volume, out.mass += layer.mass, out.energy += layer.energy;
+    out.momentum = out.momentum + layer.momentum, out.angular = out.angular + layer.angular;
+  }
   for (NearCell const& c : near_cells(solver, rays)) {
     if (c.share == 1) continue;
-    add(-volume, gas.centre(c.cell), gas.average(c.cell));
+    add(-volume, gas.centre(c.cell), gas.average(c.cell), out);
     if (!(c.share > 0)) continue;
     GasFields const q = c.body->gas.donors.at(c.centre, Donors<GasFields>::From::valid, c.body->ambient);
-    add(c.share * volume, c.centre, densities_of(gas.setup().eos, q));
+    add(c.share * volume, c.centre, densities_of(gas.setup().eos, q), out);
   }
   return out;
 }

@@ -63,8 +63,8 @@ struct OversetSolver::Impl {
     time = clock.time, last_dt = clock.last_dt, counters = clock.counters;
     for (std::size_t n = 0; n < bodies.size(); ++n) sleeping[n] = from.at("sleeping").at(n) != 0 ? 1 : 0;
     classify();
-    for (auto const& b : bodies) b->gas.update(), b->solid.update();
-    set_gas_clouds(), set_solid_clouds();
+    for (auto const& b : bodies) b->gas.update(threads), b->solid.update(threads);
+    set_clouds();
     stable = find_stable_dt();
   }
 
@@ -83,6 +83,7 @@ struct OversetSolver::Impl {
           std::any_of(setup.bodies.begin(), setup.bodies.end(), [](auto const& b) { return b.material.plastic(); });
       setup.cfl = yields ? 0.7 : 0.8;
     }
+    if (setup.solid_options.cfl <= 0) setup.solid_options.cfl = setup.cfl;
     for (BodySetup const& b : setup.bodies) {
       bodies.push_back(std::make_unique<Body>(b, gas, setup.solid_options));
       std::vector<ModelProblems> each;
@@ -159,7 +160,7 @@ struct OversetSolver::Impl {
           },
           setup.start);
     }
-    read_states(true), set_gas_clouds(), set_solid_clouds(), write_back(true), set_rates(true);
+    read_states(true), set_clouds(), write_back(true), set_rates(true);
     stable = find_stable_dt();
   }
 
@@ -189,16 +190,19 @@ struct OversetSolver::Impl {
 
   /// States of the cells that the grids' own schemes have updated; at the start of all.
   void read_states(bool all) {
-#pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
+#pragma omp parallel for num_threads(over_bodies()) schedule(dynamic, 1)
     for (std::size_t at = 0; at < bodies.size(); ++at) {
       auto const& b = bodies[at];
       auto const read = [&](auto& region, int around, auto const& state) {
+        std::vector<std::size_t> cells;
         region.kinds.for_each_near(around, [&](std::size_t i) {
           bool const own = all || region.kinds.kind_before(i) == CellKind::deep;
-          if (own && region.kinds.valid(i) && !region.kinds.is_image(i))
-            region.states[i] = state(region.kinds.in_grid(region.kinds.cell(i)));
+          if (own && region.kinds.valid(i) && !region.kinds.is_image(i)) cells.push_back(i);
         });
-        region.update();
+#pragma omp parallel for num_threads(threads) schedule(static)
+        for (std::size_t n = 0; n < cells.size(); ++n)
+          region.states[cells[n]] = state(region.kinds.in_grid(region.kinds.cell(cells[n])));
+        region.update(threads);
       };
       // of gas all that is in the window: probes look there
       int const everywhere = *std::max_element(b->gas.kinds.box().size.begin(), b->gas.kinds.box().size.end());
@@ -207,9 +211,15 @@ struct OversetSolver::Impl {
     }
   }
 
-  void set_gas_clouds() {
+  void set_clouds() {
 #pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
-    for (std::size_t n = 0; n < bodies.size(); ++n) set_gas_cloud(*bodies[n], bodies);
+    for (std::size_t n = 0; n < 2 * bodies.size(); ++n) {
+      if (n % 2 == 0) {
+        set_gas_cloud(*bodies[n / 2], bodies);
+      } else {
+        set_solid_cloud(*bodies[n / 2]);
+      }
+    }
   }
 
   void set_solid_clouds() {
@@ -225,23 +235,23 @@ struct OversetSolver::Impl {
 #pragma omp parallel for num_threads(over_bodies()) schedule(dynamic, 1)
     for (std::size_t n = 0; n < bodies.size(); ++n) {
       auto const& b = bodies[n];
-      fill(
-          b->gas, started, b->ambient, 0, [](Int3 const&) { return true; }, gas_cells[n],
-          [&](GasFields const& q) { gas_averages[n].push_back(densities_of(setup.gas.eos, q)); }, threads);
+      FilledCells<GasFields> gas_filled = fill(
+          b->gas, started, b->ambient, 0, [](Int3 const&) { return true; }, threads);
+      gas_cells[n] = std::move(gas_filled.cells);
+      for (GasFields const& q : gas_filled.states) gas_averages[n].push_back(densities_of(setup.gas.eos, q));
       if (!started && sleeping[n] != 0) continue;
-      std::vector<Int3> cells;
-      std::vector<SolidDensities> solid_averages;
       Vec3 mean{0, 0, 0};
       for (TriangleState const& t : b->triangles)
         mean = mean + (1.0 / static_cast<double>(b->triangles.size())) * t.velocity;
       for (std::size_t a = 0; a < 3; ++a)
         b->background[solid_field_of::u + a] = b->cut.mirrors.across(a) ? 0.0 : mean[a];
       Int3 const& tile = b->grid.setup().options.tile;
-      fill(
+      FilledCells<SolidFields> const filled = fill(
           b->solid, started, b->background, *std::max_element(tile.begin(), tile.end()),
-          [&](Int3 const& c) { return b->grid.computes(c); }, cells,
-          [&](SolidFields const& q) { solid_averages.push_back(densities_of(q)); }, threads);
-      b->grid.replace(cells, solid_averages);
+          [&](Int3 const& c) { return b->grid.computes(c); }, threads);
+      std::vector<SolidDensities> solid_averages;
+      for (SolidFields const& q : filled.states) solid_averages.push_back(densities_of(q));
+      b->grid.replace(filled.cells, solid_averages);
     }
     // one after the other: their windows overlap
     for (std::size_t n = 0; n < bodies.size(); ++n) gas.replace(gas_cells[n], gas_averages[n]);
@@ -260,7 +270,7 @@ struct OversetSolver::Impl {
         cells.push_back(kinds.in_grid(kinds.cell(i))), averages.push_back(densities_of(b.solid.states[i]));
       });
       b.grid.replace(cells, averages);
-      b.solid.update();
+      b.solid.update(1);
     }
     set_solid_clouds();
   }
@@ -270,8 +280,8 @@ struct OversetSolver::Impl {
     double const h_gas = gas.widths()[0];
     for (auto const& b : bodies) {
       dt = std::min(dt, b->grid.stable_dt());
-      double rate = 0;
-#pragma omp parallel for num_threads(threads) schedule(static) reduction(max : rate)
+      double rate = 0, solid_rate = 0;
+#pragma omp parallel for num_threads(threads) schedule(static) reduction(max : rate, solid_rate)
       for (std::size_t n = 0; n < b->triangles.size(); ++n) {
         TriangleState const& t = b->triangles[n];
         GasFields const& q = t.gas[0];
@@ -284,9 +294,9 @@ struct OversetSolver::Impl {
         double const M =
             std::visit([&](auto const& eos) { return eos.bulk_modulus(s[0], s[4]); }, b->setup.material.eos) +
             4.0 / 3.0 * b->setup.material.mu;
-        rate = std::max(rate, 3 * std::sqrt(M / s[0]) / b->setup.cell);
+        solid_rate = std::max(solid_rate, 3 * std::sqrt(M / s[0]) / b->setup.cell);
       }
-      dt = std::min(dt, setup.cfl / rate);
+      dt = std::min({dt, setup.cfl / rate, setup.solid_options.cfl / solid_rate});
     }
     return dt;
   }
@@ -369,10 +379,10 @@ struct OversetSolver::Impl {
     if (trouble) std::rethrow_exception(trouble);
     classify();
     double const placed = seconds();
-    read_states(false), set_gas_clouds(), set_solid_clouds();
+    read_states(false), set_clouds();
     int tied = 0;
 #pragma omp parallel for num_threads(threads) schedule(dynamic, 1) reduction(+ : tied)
-    for (std::size_t n = 0; n < bodies.size(); ++n) tied += tie_thin_rims(*bodies[n]) ? 1 : 0;
+    for (std::size_t n = 0; n < bodies.size(); ++n) tied += tie_thin_rims(*bodies[n], dt) ? 1 : 0;
     if (tied > 0) set_solid_clouds();
     write_back(false);
     if (setup.closure) close();

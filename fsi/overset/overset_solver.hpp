@@ -11,12 +11,12 @@ namespace g27 {
 struct OversetSetup {
   GasGridSetup gas;  ///< of equal widths along the three axes
   std::vector<BodySetup> bodies{};
-  SolidSchemeOptions solid_options{};
-  ModelOptions local{};  ///< of the model problems
+  SolidSchemeOptions solid_options{};  ///< its cfl holds for the solids of model problems too; 0: as of the gas
+  ModelOptions local{};                ///< of the model problems
   Remeshing remeshing{};
   bool skip = true;      ///< bodies that nothing has reached are left alone
   bool closure = false;  ///< momentum and angular momentum of the bodies are those that the pressures gave them
-  double cfl = 0;        ///< 0: chosen, 0.8, or 0.7 with a body that yields
+  double cfl = 0;        ///< of the gas; 0: chosen, 0.8, or 0.7 with a body that yields
   double growth = 1.2;   ///< of the time step, at most
   double first = 0.1;    ///< of the first time step, over that which is stable
   double start = 0;      ///< time at the start [s]

@@ -193,8 +193,9 @@ StlFile parse_stl(std::string_view bytes) {
   std::string const start = lower_case(text.substr(0, 1024));
   bool const exact =
       bytes.size() >= prefix_bytes && bytes.size() == prefix_bytes + facet_bytes * std::size_t{claimed_facets(bytes)};
-  // The number of facets of any binary file below 838 MB has a zero byte; text has none, unless it is damaged.
-  bool const is_text = bytes.find('\0') == std::string_view::npos ||
+  // The number of facets of any binary file below 838 MB has a zero byte, a number made up may have 0xFF; text has
+  // neither, unless it is damaged.
+  bool const is_text = bytes.find_first_of(std::string_view("\0\xFF", 2)) == std::string_view::npos ||
                        (start.find("facet") != std::string::npos && start.find("vertex") != std::string::npos);
   StlFile file;
   if (exact) {

@@ -4,6 +4,7 @@ Scripts are called with HDF5 files of runs and the figure's file: figNN.py RUN.h
 """
 import io
 import sys
+import tomllib
 
 import h5py
 import matplotlib
@@ -23,6 +24,12 @@ STEEL = np.array([0.62, 0.66, 0.72])
 
 def text(value):
     return value.decode() if isinstance(value, bytes) else str(value)
+
+
+def si(value):
+    """"175 GPa" in Pa, "1.65 g/cm3" in kg/m3."""
+    number, unit = value.split()
+    return float(number) * {"Pa": 1, "MPa": 1e6, "GPa": 1e9, "kg/m3": 1, "g/cm3": 1e3}[unit]
 
 
 class Body:
@@ -100,6 +107,10 @@ class Run:
 
     def history(self, name):
         return self.file["history/" + name][:]
+
+    def material(self, name):
+        """As the scene gives it."""
+        return tomllib.loads(text(self.file["provenance/scene"][()]))["material"][name]
 
     def has(self, name):
         return "history/" + name in self.file

@@ -3,17 +3,9 @@
 usage: fig04.py RUN.h5 OUT.png; in the body's grid, the face along z with the steepest pressure
 """
 # needs: three-cubes
-import tomllib
-
 import _characteristics
 import numpy as np
-from _paper import US, arguments, plt, save, text
-
-
-def modulus(value):
-    """"175 GPa" in Pa."""
-    number, unit = value.split()
-    return float(number) * {"Pa": 1, "MPa": 1e6, "GPa": 1e9}[unit]
+from _paper import US, arguments, plt, save, si
 
 
 def main():
@@ -21,8 +13,8 @@ def main():
     run = runs[0]
     state = run.near(8 * US)
     body = state.body("top")
-    steel = tomllib.loads(text(run.file["provenance/scene"][()]))["material"]["steel"]
-    K, mu = modulus(steel["eos"]["K"]), modulus(steel["strength"]["shear"])
+    steel = run.material("steel")
+    K, mu = si(steel["eos"]["K"]), si(steel["strength"]["shear"])
     p, rho, w = (body.field(name) for name in ("pressure", "density", "velocity_z"))
     k, j, i = np.unravel_index(np.nanargmax(np.abs(np.diff(p, axis=0))), np.diff(p, axis=0).shape)
     rho, w = (0.5 * (q[k, j, i] + q[k + 1, j, i]) for q in (rho, w))

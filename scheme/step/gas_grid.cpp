@@ -277,9 +277,15 @@ void GasGrid::Impl::start(double t) {
 
 void GasGrid::Impl::add_totals(std::array<Accumulator, 5>& total, FiveDensities* magnitude) const {
   double const v = volume();
-  for (GasTile const& t : tiles) {
+  struct Sums {
     std::array<Accumulator, 5> sum{};
     FiveDensities size{};
+  };
+  std::vector<Sums> of_tiles(tiles.size());
+#pragma omp parallel for num_threads(setup.options.threads) schedule(dynamic, 1)
+  for (std::size_t id = 0; id < tiles.size(); ++id) {
+    GasTile const& t = tiles[id];
+    auto& [sum, size] = of_tiles[id];
     for (int k = 0; k < t.box.size[2]; ++k) {
       for (int j = 0; j < t.box.size[1]; ++j) {
         for (int i = 0; i < t.box.size[0]; ++i) {
@@ -293,9 +299,11 @@ void GasGrid::Impl::add_totals(std::array<Accumulator, 5>& total, FiveDensities*
         }
       }
     }
+  }
+  for (Sums const& tile : of_tiles) {
     for (std::size_t d = 0; d < 5; ++d) {
-      total[d].add(sum[d].value());
-      if (magnitude != nullptr) (*magnitude)[d] += size[d];
+      total[d].add(tile.sum[d].value());
+      if (magnitude != nullptr) (*magnitude)[d] += tile.size[d];
     }
   }
 }
@@ -400,7 +408,9 @@ GasPoint GasGrid::primitive(Int3 const& cell) const noexcept {
 std::vector<double> GasGrid::field(Field which) const {
   Int3 const n = cells();
   std::vector<double> out(cells_in(n));
-  for (GasTile const& t : impl_->tiles) {
+#pragma omp parallel for num_threads(impl_->setup.options.threads) schedule(dynamic, 1)
+  for (std::size_t id = 0; id < impl_->tiles.size(); ++id) {
+    GasTile const& t = impl_->tiles[id];
     for (int k = 0; k < t.box.size[2]; ++k) {
       for (int j = 0; j < t.box.size[1]; ++j) {
         for (int i = 0; i < t.box.size[0]; ++i) {

@@ -45,8 +45,8 @@ struct GridSchemeOptions {
   bool max_rule = false;    ///< CFL number of the fastest direction instead of the sum over the directions
   double cfl = 0.8;
   int threads = 1;
-  int cells_per_thread = 32768;  ///< active cells below which another thread costs more than it brings
-  Int3 tile{0, 0, 0};            ///< cells of a tile along each axis; 0: chosen
+  int cells_per_thread = 4096;  ///< active cells below which another thread costs more than it brings
+  Int3 tile{0, 0, 0};           ///< cells of a tile along each axis; 0: chosen
 };
 
 struct GridBoundary {

@@ -29,7 +29,8 @@ std::vector<Row> rows() {
   return out;
 }
 
-/// What is asked of the linear scheme: relative errors at most.
+/// What is asked of the linear scheme: relative errors at most, without the charge's outermost cell. On 32 cells the
+/// front stands in it at the end, so that half of the ramp of the burn lies outside of the charge.
 struct Bound {
   int cells;
   double pressure, core;
@@ -45,6 +46,7 @@ StudyReport run(StudyContext const& context) {
                           {"l1_density", "1"},
                           {"l1_velocity", "1"},
                           {"l1_pressure", "1"},
+                          {"l1_pressure_inside", "1"},
                           {"core_pressure", "1"},
                           {"front", "1"},
                           {"energy_residual", "1"},
@@ -68,16 +70,19 @@ StudyReport run(StudyContext const& context) {
     auto const fact = [&](char const* name) { return r.facts.at(name); };
     double const energy = r.ledger.energy.residual();
     table.rows.push_back({row.name, r.scheme, static_cast<long>(row.cells), fact("l1_density"), fact("l1_velocity"),
-                          fact("l1_pressure"), fact("core_pressure"), fact("front_speed"), energy,
-                          static_cast<long>(r.counters.floored), r.cpu_s});
+                          fact("l1_pressure"), fact("l1_pressure_inside"), fact("core_pressure"), fact("front_speed"),
+                          energy, static_cast<long>(r.counters.floored), r.cpu_s});
     closed = std::max(closed, std::fabs(energy)), floored += static_cast<double>(r.counters.floored);
     if (row.name == "detonation-3d") sphere = std::fabs(fact("front_diagonal_over_axis") - 1);
     if (row.predictor != Predictor::linear) continue;
     for (Bound const& b : bounds) {
       if (b.cells != row.cells) continue;
-      double const core = std::fabs(fact("core_pressure") - 1), l1 = fact("l1_pressure");
-      findings.push_back({fmt::format("{}: pressure to {:g} %, core to {:g} %", what, 100 * b.pressure, 100 * b.core),
-                          fmt::format("{:.2f} %, {:.2f} %", 100 * l1, 100 * core), l1 <= b.pressure && core <= b.core});
+      double const core = std::fabs(fact("core_pressure") - 1), l1 = fact("l1_pressure_inside"),
+                   whole = fact("l1_pressure");
+      findings.push_back(
+          {fmt::format("{}: pressure to {:g} %, core to {:g} %", what, 100 * b.pressure, 100 * b.core),
+           fmt::format("{:.2f} % ({:.2f} % with the outermost cell), {:.2f} %", 100 * l1, 100 * whole, 100 * core),
+           l1 <= b.pressure && core <= b.core});
     }
   }
   findings.push_back(

@@ -27,7 +27,7 @@ OversetSetup setup_of(SceneRun const& run) {
   out.solid_options.threads = o.threads;
   out.local.riemann = o.riemann;
   out.closure = plan.closure;
-  out.cfl = out.solid_options.cfl = plan.body_cfl;
+  out.cfl = plan.cfl, out.solid_options.cfl = plan.body_cfl;
   return out;
 }
 

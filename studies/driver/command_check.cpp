@@ -5,6 +5,7 @@
 
 #include "riemann/eos/factory.hpp"
 #include "studies/driver/command.hpp"
+#include "studies/driver/early_end.hpp"
 #include "studies/driver/progress.hpp"
 #include "studies/driver/scene_check.hpp"
 #include "studies/driver/scene_reader.hpp"
@@ -70,7 +71,8 @@ Table bodies_table(RunEstimate const& e) {
 }  // namespace
 
 int command_check(CheckArguments const& arguments) {
-  Scene const scene = read_scene(find_scene(arguments.scene), arguments.set);
+  auto const file = find_scene(arguments.scene);
+  Scene const scene = read_scene(file, without_what_is_beyond(file, arguments.set));
   require_memory(scene);
   auto const estimates = estimate(scene);
   double seconds = 0, bytes = 0;

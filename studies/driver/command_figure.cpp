@@ -9,6 +9,7 @@
 
 #include "studies/driver/atomic_file.hpp"
 #include "studies/driver/command.hpp"
+#include "studies/driver/early_end.hpp"
 #include "studies/driver/figure_needs.hpp"
 #include "studies/driver/input_error.hpp"
 #include "studies/driver/machine_threads.hpp"

@@ -5,6 +5,8 @@
 #include <csignal>
 #include <cstdio>
 #include <memory>
+#include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "studies/driver/atomic_file.hpp"
 #include "studies/driver/command.hpp"
@@ -25,7 +27,8 @@ std::string version_text() {
 }
 
 void json_flag(CLI::App* command, bool& json) {
-  command->add_flag("--json", json, "print one JSON object on stdout and nothing else there");
+  command->add_flag("--json", json,
+                    "print one JSON object on stdout and nothing else there; what fails has the key error");
 }
 
 /// An empty name would be the current folder.
@@ -121,7 +124,7 @@ void add_figure(CLI::App& app, int& status) {
   sub->add_option("--scene", a->scene, "of a figure of the paper, instead of the scene it needs");
   sub->add_option("--grids", a->grids, "of a figure of the paper, cells of these widths over the scene's: 1,1.5,2")
       ->delimiter(',')
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Range(0.01, 100.0));
   sub->add_option("--threads", a->threads, "default: all of the machine")->check(CLI::Range(1, 1024));
   sub->add_flag("--cached", a->cached, "takes results of another build as they are");
 }
@@ -165,15 +168,33 @@ void add_test(CLI::App& app) {
       [] { throw InputError("g27", "test", "is a command of the launcher", "run ./g27 test in the source folder"); });
 }
 
-int report(InputError const& error) {
-  fmt::print(stderr, "{}: {}: {}\n  -> {}\n", error.file, error.key, error.problem, error.remedy);
-  return bad_input;
-}
+/// Says on stderr what went wrong, and with --json on stdout as well: whoever reads one object gets one.
+class Reporter {
+ public:
+  Reporter(int argc, char** argv) : json_(std::find(argv, argv + argc, std::string_view("--json")) != argv + argc) {}
+
+  [[nodiscard]] int bad(InputError const& error) const {
+    fmt::print(stderr, "{}: {}: {}\n  -> {}\n", error.file, error.key, error.problem, error.remedy);
+    return print({{"file", error.file}, {"key", error.key}, {"problem", error.problem}, {"remedy", error.remedy}},
+                 bad_input);
+  }
+  [[nodiscard]] int failed(std::string const& problem, int status) const {
+    return print({{"problem", problem}}, status);
+  }
+
+ private:
+  int print(nlohmann::ordered_json const& error, int status) const {
+    if (json_) fmt::print("{}\n", nlohmann::ordered_json{{"error", error}}.dump(2));
+    return status;
+  }
+  bool json_;
+};
 
 }  // namespace
 
 int run_program(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file too large is an error of the write, reported as such
+  Reporter const reporter(argc, argv);
   int status = 0;
   CLI::App app{"godunov27: a verification-first testbed for shock physics", "g27"};
   app.set_version_flag("--version", version_text());
@@ -211,17 +232,17 @@ int run_program(int argc, char** argv) {
         fmt::print(stderr, "  -> {}\n", suggestion(argv[1], names));
       }
     }
-    return bad_input;
+    return reporter.failed(error.what(), bad_input);
   } catch (InputError const& error) {
-    return report(error);
+    return reporter.bad(error);
   } catch (Interrupted const& stopped) {
     fmt::print(stderr, "interrupted\n");
-    return 128 + stopped.signal;
+    return reporter.failed("interrupted", 128 + stopped.signal);
   } catch (OracleError const& error) {
-    return report({"g27 exact", error.key, error.what, error.remedy});
+    return reporter.bad({"g27 exact", error.key, error.what, error.remedy});
   } catch (std::exception const& error) {
     fmt::print(stderr, "g27: {}\n", error.what());
-    return 1;
+    return reporter.failed(error.what(), 1);
   }
 }
 

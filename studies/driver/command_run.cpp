@@ -5,7 +5,7 @@
 
 #include "studies/driver/command.hpp"
 #include "studies/driver/earlier_results.hpp"
-#include "studies/driver/figure_needs.hpp"
+#include "studies/driver/early_end.hpp"
 #include "studies/driver/input_error.hpp"
 #include "studies/driver/machine_threads.hpp"
 #include "studies/driver/python.hpp"
@@ -73,29 +73,11 @@ bool has_checkpoint(Scene const& scene, std::filesystem::path const& out) {
                      [&](SceneRun const& run) { return std::filesystem::exists(out / (run.name + ".h5")); });
 }
 
-/// What --set asks for; where it ends a run sooner, without the snapshots and expectations that are left beyond the
-/// end.
-std::vector<std::string> settings(std::filesystem::path const& file, std::vector<std::string> const& set) {
-  auto const sets = [&](std::string const& key) {
-    return std::any_of(set.begin(), set.end(), [&](std::string const& s) { return s.starts_with(key + "="); });
-  };
-  std::vector<std::string> all = set;
-  if (!sets("time.end")) return all;
-  Document const scene = read_overridden(file, set);
-  if (!(end_of(scene) < end_of(read_overridden(file, {})))) return all;
-  for (std::string const& more : quick_look(scene)) {
-    if (sets(more.substr(0, more.find('=')))) continue;
-    fmt::print(stderr, "the run ends sooner than its scene: --set {}\n", more);
-    all.push_back(more);
-  }
-  return all;
-}
-
 }  // namespace
 
 int command_run(RunArguments const& arguments) {
   std::filesystem::path const file = find_scene(arguments.scene);
-  Scene const scene = read_scene(file, settings(file, arguments.set));
+  Scene const scene = read_scene(file, without_what_is_beyond(file, arguments.set));
   std::filesystem::path const out = arguments.out.empty() ? "results/" + scene.name : arguments.out;
   if (arguments.resume && !has_checkpoint(scene, out)) {
     throw InputError("g27 run", "--resume", fmt::format("{} holds no run of this scene", out.string()),
@@ -115,6 +97,7 @@ int command_run(RunArguments const& arguments) {
     bool const saved = has_checkpoint(scene, out);
     fmt::print(stderr, "interrupted; {}\n",
                saved ? "to continue: " + resume_command(arguments, out) : "nothing was saved yet");
+    if (arguments.json) fmt::print("{}\n", R"({"error": {"problem": "interrupted"}})");
     return 128 + result.interrupted;
   }
   RunReport const report = write_report(scene, result, out);

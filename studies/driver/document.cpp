@@ -84,6 +84,11 @@ Node const* Node::find(std::string const& key) const noexcept {
   return nullptr;
 }
 
+Node::Array const* Node::list(std::string const& key) const noexcept {
+  Node const* entry = find(key);
+  return entry != nullptr ? std::get_if<Array>(&entry->value) : nullptr;
+}
+
 std::string Node::type_name() const {
   constexpr char const* names[] = {"a boolean", "a number", "a number", "text", "a list", "a table"};
   return names[value.index()];

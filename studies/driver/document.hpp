@@ -15,8 +15,9 @@ struct Node {
   std::variant<bool, long, double, std::string, Array, Table> value;
   int line = 0, column = 0;  ///< from 1; 0: set on the command line
 
-  [[nodiscard]] Node const* find(std::string const& key) const noexcept;  ///< of a table; null when absent
-  [[nodiscard]] std::string type_name() const;                            ///< "a table", "text", ...
+  [[nodiscard]] Node const* find(std::string const& key) const noexcept;   ///< of a table; null when absent
+  [[nodiscard]] Array const* list(std::string const& key) const noexcept;  ///< entry of a table; null when not a list
+  [[nodiscard]] std::string type_name() const;                             ///< "a table", "text", ...
 };
 
 struct NodeEntry {

@@ -1,14 +1,12 @@
 #include "studies/driver/figure_needs.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <fstream>
 #include <optional>
 #include <sstream>
 
 #include "studies/driver/input_error.hpp"
-#include "studies/driver/units.hpp"
 
 namespace g27 {
 namespace {
@@ -61,20 +59,6 @@ std::string scaled(std::string const& key, Node const& node, double factor) {
   return fmt::format("{}=\"{:.15g}{}\"", key, number * factor, text->substr(end));
 }
 
-Node::Array const* list_of(Node const& owner, std::string const& key) {
-  Node const* entry = owner.find(key);
-  return entry != nullptr ? std::get_if<Node::Array>(&entry->value) : nullptr;
-}
-
-double seconds(Node const& node) {
-  auto const* text = std::get_if<std::string>(&node.value);
-  auto const quantity = text != nullptr ? parse_quantity(*text) : std::nullopt;
-  if (quantity) return quantity->value;
-  if (auto const* number = std::get_if<double>(&node.value)) return *number;
-  auto const* whole = std::get_if<long>(&node.value);
-  return whole != nullptr ? static_cast<double>(*whole) : 0;
-}
-
 }  // namespace
 
 std::vector<FigureNeed> parse_needs(std::string const& script, std::string const& file) {
@@ -120,38 +104,17 @@ std::vector<std::string> coarser(Document const& scene, double factor) {
   }
   out.push_back(scaled("domain.cell", *cell, factor));
   auto const add_bodies = [&](Node const& owner, std::string const& prefix) {
-    auto const* list = list_of(owner, "body");
+    auto const* list = owner.list("body");
     for (std::size_t n = 0; list != nullptr && n < list->size(); ++n) {
       std::string const key = fmt::format("{}body.{}.cell", prefix, n);
       if (Node const* own = (*list)[n].find("cell")) out.push_back(scaled(key, *own, factor));
     }
   };
   add_bodies(scene.root, "");
-  auto const* variants = list_of(scene.root, "variant");
+  auto const* variants = scene.root.list("variant");
   for (std::size_t n = 0; variants != nullptr && n < variants->size(); ++n) {
     add_bodies((*variants)[n], fmt::format("variant.{}.", n));
   }
-  return out;
-}
-
-double end_of(Document const& scene) {
-  Node const* time = scene.root.find("time");
-  Node const* end = time != nullptr ? time->find("end") : nullptr;
-  return end != nullptr ? seconds(*end) : 0;
-}
-
-std::vector<std::string> quick_look(Document const& scene) {
-  std::vector<std::string> out{"expect=[]"};
-  double const end = end_of(scene);
-  Node const* output = scene.root.find("output");
-  auto const* list = output != nullptr ? list_of(*output, "snapshots") : nullptr;
-  if (list == nullptr) return out;
-  std::vector<std::string> kept;
-  for (Node const& at : *list) {
-    auto const* text = std::get_if<std::string>(&at.value);
-    if (text != nullptr && seconds(at) <= end) kept.push_back('"' + *text + '"');
-  }
-  if (kept.size() < list->size()) out.push_back(fmt::format("output.snapshots=[{}]", fmt::join(kept, ", ")));
   return out;
 }
 

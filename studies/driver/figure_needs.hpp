@@ -25,10 +25,4 @@ std::string figure_title(std::filesystem::path const& script);
 /// Settings that make the cells of the gas and of all bodies `factor` times as wide. Throws InputError.
 std::vector<std::string> coarser(Document const& scene, double factor);
 
-/// time.end [s]; 0 if it cannot be read.
-double end_of(Document const& scene);
-
-/// Settings that a shortened run needs: no snapshots after its end, nothing expected.
-std::vector<std::string> quick_look(Document const& scene);
-
 }  // namespace g27

@@ -78,24 +78,23 @@ void write_text_attribute(hid_t object, std::string const& name, std::string con
 }
 
 /// Reading data that has been damaged fails, by the checksum of each chunk: slabs of the first dimension.
-hid_t with_checksums(hid_t space, std::size_t size_of_one) {
+void set_checksums(hid_t properties, hid_t space, std::size_t size_of_one) {
   constexpr hsize_t most = hsize_t{1} << 20;  // bytes of a chunk of more than one slab
-  hid_t const properties = H5Pcreate(H5P_DATASET_CREATE);
   int const rank = H5Sget_simple_extent_ndims(space);
-  if (rank < 1 || H5Sget_simple_extent_npoints(space) < 1) return properties;
+  if (rank < 1 || H5Sget_simple_extent_npoints(space) < 1) return;
   std::vector<hsize_t> chunk(static_cast<std::size_t>(rank));
   H5Sget_simple_extent_dims(space, chunk.data(), nullptr);
   hsize_t const slab = std::accumulate(chunk.begin() + 1, chunk.end(), hsize_t{size_of_one}, std::multiplies<>{});
   chunk[0] = std::clamp<hsize_t>(most / slab, 1, chunk[0]);
   check(H5Pset_chunk(properties, rank, chunk.data()), "choose chunks");
   check(H5Pset_fletcher32(properties), "choose checksums");
-  return properties;
 }
 
 void write_dataset(hid_t file, std::string const& path, hid_t type, hid_t space, void const* data,
                    std::string const* unit) {
   Handle const links(with_groups(), H5Pclose, "make link properties");
-  Handle const layout(with_checksums(space, H5Tget_size(type)), H5Pclose, "make dataset properties");
+  Handle const layout(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "make dataset properties");
+  set_checksums(layout, space, H5Tget_size(type));
   Handle dataset(H5Dcreate2(file, path.c_str(), type, space, links, layout, H5P_DEFAULT), H5Dclose, "create " + path);
   check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data), "write " + path);
   if (unit != nullptr) {

@@ -28,15 +28,9 @@ constexpr std::array ledger_fields{std::pair{"initial", &LedgerEntry::initial},
                                    std::pair{"from_floor", &LedgerEntry::from_floor},
                                    std::pair{"scale", &LedgerEntry::scale}};
 
-/// A record can be resumed only by the same run: scene text, overrides, the name (variant and scheme) and the bodies'
-/// surfaces fix it.
-std::string identity(Scene const& scene, SceneRun const& run) {
-  std::string out = fmt::format("{}\n{}\n{}", run.name, fmt::join(scene.overrides, "\n"), scene.text);
-  for (std::size_t n = 0; run.grid && n < run.grid->bodies.size(); ++n) {
-    out += fmt::format("\n{} {:016x}", run.grid->bodies[n].file, run.grid->bodies[n].fingerprint);
-  }
-  return out;
-}
+/// A record can be resumed only by the same run: what determines the scene's results, and the name (variant and
+/// scheme).
+std::string identity(Scene const& scene, SceneRun const& run) { return run.name + "\n" + scene.digest; }
 
 }  // namespace
 

@@ -73,7 +73,7 @@ struct GridRun {
   std::optional<LineStart> line;
   std::vector<SceneBody> bodies;
   std::function<GasPoint(Vec3 const& x)> point{};  ///< of a run with bodies: the state at the start
-  double body_cfl = 0;                             ///< of runs with bodies; 0: chosen
+  double cfl = 0, body_cfl = 0;                    ///< of runs with bodies: of the gas, of the solids; 0: chosen
   bool closure = false;                            ///< momentum of bodies is what the pressures gave them
 };
 
@@ -112,6 +112,7 @@ struct Scene {
   std::filesystem::path file;
   std::string name, title, source, text;  ///< text: verbatim
   std::vector<std::string> overrides;     ///< of --set
+  std::string digest;                     ///< of all that determines its results (scene_digest.hpp)
   std::vector<SceneRun> runs;
   std::vector<Expectation> expect;
   std::vector<std::string> bare_numbers;  ///< numbers without a unit, taken as SI

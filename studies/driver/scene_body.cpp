@@ -14,7 +14,7 @@
 namespace g27 {
 namespace {
 
-constexpr double fewest_across = 4;  ///< of its own grid across a body: two layers of cores from either side
+constexpr double fewest_across = 3;  ///< of its own grid across a body: what a plate needs (study fsi-slab)
 
 std::vector<std::string> const body_keys{"name", "surface",  "scale", "center", "rotate",  "velocity",
                                          "spin", "material", "cell",  "extent", "pressure"};

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "studies/driver/digest.hpp"
 #include "studies/driver/earlier_results.hpp"
 #include "studies/driver/hdf5_file.hpp"
 #include "studies/driver/input_error.hpp"
@@ -13,37 +12,11 @@
 #include "studies/driver/provenance.hpp"
 #include "studies/driver/run_report.hpp"
 #include "studies/driver/scene_check.hpp"
-#include "studies/driver/scene_reader.hpp"
 
 namespace g27 {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The same text for trees that differ in the order of keys and the way a number is written only.
-std::string canonical(Node const& node) {
-  struct Writer {
-    std::string operator()(bool flag) const { return flag ? "true" : "false"; }
-    std::string operator()(long number) const { return (*this)(static_cast<double>(number)); }
-    std::string operator()(double number) const { return fmt::format("{:.17g}", number); }
-    std::string operator()(std::string const& text) const { return fmt::format("\"{}:{}\"", text.size(), text); }
-    std::string operator()(Node::Array const& list) const {
-      std::string out = "[";
-      for (Node const& entry : list) out += canonical(entry) + ",";
-      return out + "]";
-    }
-    std::string operator()(Node::Table const& table) const {
-      std::vector<std::string> entries;
-      std::transform(table.begin(), table.end(), std::back_inserter(entries),
-                     [](NodeEntry const& e) { return fmt::format("{}={}", e.key, canonical(e.node)); });
-      std::sort(entries.begin(), entries.end());
-      std::string out = "{";
-      for (std::string const& entry : entries) out += entry + ",";
-      return out + "}";
-    }
-  };
-  return std::visit(Writer{}, node.value);
-}
 
 fs::path file_of(Scene const& scene, SceneRun const& run, CacheOptions const& options) {
   return cache_folder(scene, options) / (run.name + ".h5");
@@ -85,22 +58,8 @@ std::string origin_of(Scene const& scene, CacheOptions const& options) {
 
 }  // namespace
 
-std::string scene_digest(Scene const& scene) {
-  Document document = read_overridden(scene.file, scene.overrides);
-  std::erase_if(std::get<Node::Table>(document.root.value),
-                [](NodeEntry const& e) { return e.key == "title" || e.key == "source"; });
-  Digest digest;
-  digest.add(canonical(document.root));
-  for (SceneRun const& run : scene.runs) {
-    for (std::size_t n = 0; run.grid && n < run.grid->bodies.size(); ++n) {
-      digest.add(fmt::format("{:016x}", run.grid->bodies[n].fingerprint));
-    }
-  }
-  return fmt::format("{:016x}", digest.value()).substr(0, 12);
-}
-
 fs::path cache_folder(Scene const& scene, CacheOptions const& options) {
-  return options.folder / (scene.name + "-" + scene_digest(scene));
+  return options.folder / (scene.name + "-" + scene.digest);
 }
 
 CacheState cache_state(Scene const& scene, CacheOptions const& options) {

@@ -21,10 +21,6 @@ enum class CacheState {
   of_other_program
 };
 
-/// Digest of all in a scene that determines its results: the keys after --set, in whatever order and however written,
-/// and the bytes of the surfaces.
-std::string scene_digest(Scene const& scene);
-
 /// FOLDER/SCENE-DIGEST
 std::filesystem::path cache_folder(Scene const& scene, CacheOptions const& options);
 CacheState cache_state(Scene const& scene, CacheOptions const& options);

@@ -8,6 +8,7 @@
 #include "fsi/surface/gap.hpp"
 #include "studies/driver/nearest_key.hpp"
 #include "studies/driver/provenance.hpp"
+#include "studies/driver/scene_digest.hpp"
 #include "studies/driver/scene_grid_parts.hpp"
 
 namespace g27 {
@@ -115,19 +116,25 @@ std::vector<std::string> covered_probes(GridRun const& grid, GridBox const& box,
   return out;
 }
 
-/// [time]: sets the end, returns the CFL number if one is given.
-std::optional<double> read_time(Section const& root, SceneRun& run) {
-  Section const time = root.table("time", {"end", "cfl"});
+/// CFL number up to `most`, if one is given.
+std::optional<double> read_cfl(Section const& time, std::string const& key, double most) {
+  if (!time.has(key)) return {};
+  double const cfl = time.quantity(key, dimension::number);
+  if (!(cfl > 0 && cfl <= most)) {
+    throw time.error(key, fmt::format("{} is out of range", cfl),
+                     fmt::format("choose it above 0 and up to {:g}", most));
+  }
+  return cfl;
+}
+
+/// [time]: sets the end.
+Section read_time(Section const& root, SceneRun& run) {
+  Section const time = root.table("time", {"end", "cfl", "body_cfl"});
   run.end = time.positive("end", dimension::time);
   if (run.end <= run.start) {
     throw time.error("end", fmt::format("{} s is not after the start at {} s", run.end, run.start), "make it later");
   }
-  if (!time.has("cfl")) return {};
-  double const cfl = time.quantity("cfl", dimension::number);
-  if (!(cfl > 0 && cfl <= 1)) {
-    throw time.error("cfl", fmt::format("{} is out of range", cfl), "choose it above 0 and up to 1");
-  }
-  return cfl;
+  return time;
 }
 
 void name_run(SceneRun& run, Predictor predictor) {
@@ -147,12 +154,16 @@ void take_charge(Charge const& charge, SceneRun& run) {
   }
 }
 
-/// The grids at a body's surface know no burn.
+/// The wave at breakout knows no body, and the grids at a body's surface know no burn.
 void keep_from_charge(Charge const& charge, std::vector<SceneBody> const& bodies, double cell) {
-  if (!charge.burn.there()) {
-    return;
-  }
   for (SceneBody const& body : bodies) {
+    if (!charge.burn.there()) {
+      if (distance_to_body(charge.centre, body.whole) < charge.radius) {
+        throw charge.section.error("radius", fmt::format("reaches into the body '{}'", body.name),
+                                   "move the body away: the exact wave at breakout holds in products alone");
+      }
+      continue;
+    }
     if (distance_to_body(charge.centre, body.whole) < charge.radius + side_gap_cells * cell) {
       throw charge.section.error(
           "start", fmt::format("is ignition, and '{}' is within {} cells of the charge", body.name, side_gap_cells),
@@ -186,7 +197,7 @@ std::vector<SceneRun> read_line_runs(Section const& root, SceneRun run) {
   if (data.charge && run.setup.motion.kind != MeshMotion::Kind::fixed) {
     throw domain.error("motion", "is not possible with a charge", "remove it: charges use a fixed mesh");
   }
-  double const cfl = read_time(root, run).value_or(GasSchemeOptions{}.cfl);
+  double const cfl = read_cfl(read_time(root, run), "cfl", 1).value_or(GasSchemeOptions{}.cfl);
   run.output = read_output(root, run.start, run.end, {.lower = {left, 0, 0}, .upper = {right, 0, 0}});
   std::vector<SceneRun> runs;
   for (GasSchemeOptions const& options : read_schemes(root, cfl)) {
@@ -214,8 +225,9 @@ std::vector<SceneRun> read_grid_runs(Section const& root, SceneRun run) {
   if (regions.charge) {
     run.start = regions.charge->begin, grid.setup.burn = regions.charge->burn;
   }
-  std::optional<double> const cfl = read_time(root, run);
-  grid.body_cfl = cfl.value_or(0);
+  Section const time = read_time(root, run);
+  std::optional<double> const cfl = read_cfl(time, "cfl", 1);
+  grid.cfl = cfl.value_or(0), grid.body_cfl = read_cfl(time, "body_cfl", 1.4).value_or(grid.cfl);
   grid.initial = make_initial(regions.list, grid.setup.eos, dimensions);
   grid.point = make_point_initial(regions.list);
   grid.bodies = read_bodies(root, grid.setup, grid.point);
@@ -320,6 +332,7 @@ Scene read_scene(std::filesystem::path const& file, std::vector<std::string> con
   check_probes_seen(root, scene.runs);
   scene.expect = read_expectations(root, variants, scene.runs);
   scene.bare_numbers = reading.bare_numbers;
+  scene.digest = scene_digest(document.root, scene.runs);
   return scene;
 }
 

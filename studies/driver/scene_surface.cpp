@@ -39,10 +39,9 @@ void require_healthy(Section const& body, Diagnosis const& diagnosis) {
   if (diagnosis.healthy()) {
     return;
   }
-  throw body.error("surface",
-                   fmt::format("{} is not the surface of a body ({})", body.text("surface"), faults_of(diagnosis)),
-                   fmt::format("{}; see g27 stl {} --repair OUT", fault_remedy(diagnosis.findings[0].fault),
-                               file_of(body).string()));
+  throw body.error(
+      "surface", fmt::format("{} is not the surface of a body ({})", body.text("surface"), faults_of(diagnosis)),
+      fmt::format("{}; see g27 stl {}", fault_remedy(diagnosis.findings[0].fault), file_of(body).string()));
 }
 
 }  // namespace

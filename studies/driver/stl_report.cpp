@@ -92,8 +92,11 @@ std::string to_text(StlReport const& r) {
   line("box", fmt::format("{:.6g} x {:.6g} x {:.6g} {}, from {} to {}", size[0] / u, size[1] / u, size[2] / u, m,
                           point(d.box.lower), point(d.box.upper)));
   line("area", fmt::format("{:.6g} {}2", mass.area / (u * u), m));
+  bool const encloses = d.find(Fault::open_edge) == nullptr && d.find(Fault::non_manifold_edge) == nullptr &&
+                        d.find(Fault::inconsistent_orientation) == nullptr &&
+                        d.find(Fault::self_intersection) == nullptr;
   line("volume", fmt::format("{:.6g} {}3{}", mass.volume / (u * u * u), m,
-                             d.find(Fault::open_edge) != nullptr ? ", of no meaning while the surface is open" : ""));
+                             encloses ? "" : ", of no meaning while the surface encloses no body: see below"));
   line("centroid", fmt::format("{} {}", point(mass.centroid), m));
   if (r.density) {
     line("mass", fmt::format("{:.6g} kg at {:.6g} kg/m3", mass.mass, *r.density));

@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <thread>
 #include <vector>
 
 #include "studies/driver/lookup.hpp"
+#include "studies/driver/machine_threads.hpp"
 #include "studies/driver/study.hpp"
 #include "verification/cases/case.hpp"
 
@@ -53,7 +53,7 @@ StudyReport run(StudyContext const& context) {
   for (std::size_t n = 0; n < all.size(); ++n) {
     Row const& row = all[n];
     CaseOptions o;
-    o.cells = cells, o.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    o.cells = cells, o.threads = threads_or_all(0);
     o.values = {{"body", row.shape}, {"speed", row.speed}, {"gap", row.gap}, {"steps", steps}};
     std::string const what = fmt::format("{} at {:g} m/s", row.body, row.speed);
     double const total = static_cast<double>(all.size());

@@ -6,13 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <thread>
 
 #include "studies/driver/hdf5_file.hpp"
 #include "studies/driver/lookup.hpp"
+#include "studies/driver/machine_threads.hpp"
 #include "studies/driver/study.hpp"
 #include "studies/orders/order_schemes.hpp"
 #include "studies/orders/order_tables.hpp"
+#include "verification/measure/gci.hpp"
 
 namespace g27 {
 namespace {
@@ -28,10 +29,9 @@ std::vector<OrderRow> line_rows() {
   return rows;
 }
 
-/// Across the box; the radius has 3.6, 5.4 and 8.1. In multiples of four: the surfaces are similar then, an icosahedron
-/// with 4, 6 and 9 parts of an edge.
-constexpr std::array sphere_cells{16, 24, 36};
-constexpr double ratio = 1.5;
+/// Across the box; the radius has 3.6, 5.4, 8.1 and 12.6. In multiples of four: the surfaces are similar then, an
+/// icosahedron with 4, 6, 9 and 14 parts of an edge.
+constexpr std::array sphere_cells{16, 24, 36, 56};
 
 /// Value at t of a history, by the cubic through the four points around it.
 double at(std::vector<double> const& time, std::vector<double> const& value, double t) {
@@ -73,8 +73,10 @@ Table sphere(StudyContext const& context, Hdf5Writer& histories, std::vector<Fin
               .title = "elastic sphere under a pulse: mean difference in time to the next finer grid, over the largest",
               .columns = {{"scheme", "1"},
                           {"quantity", "1"},
-                          {"coarse_to_medium", "1"},
-                          {"medium_to_fine", "1"},
+                          {"16_to_24", "1"},
+                          {"24_to_36", "1"},
+                          {"36_to_56", "1"},
+                          {"order_before", "1"},
                           {"order", "1"},
                           {"fine_wall", "s"}},
               .rows = {},
@@ -88,10 +90,10 @@ Table sphere(StudyContext const& context, Hdf5Writer& histories, std::vector<Fin
       CaseOptions options;
       options.cells = sphere_cells[k], options.predictor = schemes[s].predictor;
       options.monotonicity = schemes[s].monotonicity;
-      options.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+      options.threads = threads_or_all(0);
       double const before = static_cast<double>(s * sphere_cells.size() + k);
       std::string const what = fmt::format("sphere, {}, {} cells", schemes[s].name, sphere_cells[k]);
-      options.progress = [&](double done) { context.progress((before + done) / 6, what); };
+      options.progress = [&](double done) { context.progress((before + done) / 8, what); };
       runs.push_back(problem.run(options));
       for (char const* quantity : {"time", "momentum", "position", "velocity", "volume"}) {
         histories.write(fmt::format("/{}/{}/{}", schemes[s].name, sphere_cells[k], quantity),
@@ -100,12 +102,18 @@ Table sphere(StudyContext const& context, Hdf5Writer& histories, std::vector<Fin
     }
     bool const first = schemes[s].predictor == Predictor::godunov;
     for (std::string const quantity : {"momentum", "position", "velocity"}) {
-      double const coarse = difference(runs[0], runs[1], quantity), fine = difference(runs[1], runs[2], quantity);
-      double const order = std::log(coarse / fine) / std::log(ratio);
-      table.rows.push_back({schemes[s].name, quantity, coarse, fine, order, runs[2].wall_s});
+      std::array<double, 3> gap{};
+      for (std::size_t k = 0; k < gap.size(); ++k) gap[k] = difference(runs[k], runs[k + 1], quantity);
+      // of values whose differences are these
+      auto const order_of = [&](std::size_t k) {
+        auto const ratio = [&](std::size_t n) { return double(sphere_cells[n + 1]) / sphere_cells[n]; };
+        return grid_convergence(0.0, gap[k + 1], gap[k + 1] + gap[k], ratio(k + 1), ratio(k), 2.0).order;
+      };
+      double const order = order_of(1);
+      table.rows.push_back({schemes[s].name, quantity, gap[0], gap[1], gap[2], order_of(0), order, runs.back().wall_s});
       findings.push_back({fmt::format("sphere, {}: order of the body's {} {}", schemes[s].name, quantity,
                                       first ? "below 1.1" : "1.8 to 2.8"),
-                          fmt::format("{:.2f} ({:.2g}, {:.2g})", order, coarse, fine),
+                          fmt::format("{:.2f} ({:.2g}, {:.2g})", order, gap[1], gap[2]),
                           first ? order < 1.1 : order > 1.8 && order < 2.8});
     }
   }

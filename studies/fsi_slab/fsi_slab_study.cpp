@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <thread>
 #include <vector>
 
 #include "studies/driver/hdf5_file.hpp"
 #include "studies/driver/lookup.hpp"
+#include "studies/driver/machine_threads.hpp"
 #include "studies/driver/study.hpp"
 #include "verification/cases/case.hpp"
 
@@ -54,7 +54,7 @@ StudyReport run(StudyContext const& context) {
   for (std::size_t n = 0; n < rows.size(); ++n) {
     Row const& row = rows[n];
     CaseOptions o;
-    o.cells = row.cells, o.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    o.cells = row.cells, o.threads = threads_or_all(0);
     o.values = {{"angle", row.degrees * std::numbers::pi / 180},
                 {"crossings", row.crossings},
                 {"width", row.width},

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <thread>
 
+#include "studies/driver/machine_threads.hpp"
 #include "verification/cases/media.hpp"
 
 namespace g27 {
@@ -56,7 +56,7 @@ RowResult measure_order(OrderRow const& row) {
   for (int const cells : row.cells) {
     CaseOptions options = row.options;
     options.cells = cells, options.eos = row.eos, options.mesh = row.mesh;
-    if (problem.dimensions > 1) options.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    if (problem.dimensions > 1) options.threads = threads_or_all(0);
     try {
       CaseResult const run = problem.run(options);
       for (std::size_t k = 0; k < units.size(); ++k) {

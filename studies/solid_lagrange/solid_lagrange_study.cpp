@@ -8,10 +8,10 @@
 #include <future>
 #include <limits>
 #include <numeric>
-#include <thread>
 
 #include "studies/driver/hdf5_file.hpp"
 #include "studies/driver/lookup.hpp"
+#include "studies/driver/machine_threads.hpp"
 #include "studies/driver/study.hpp"
 #include "verification/cases/case.hpp"
 #include "verification/measure/gci.hpp"
@@ -57,8 +57,7 @@ void run_all(std::vector<Run>& runs, StudyContext const& context) {
     }
   };
   if (context.progress) context.progress(0, fmt::format("{} runs", runs.size()));
-  for (unsigned k = 0; k < std::max(1u, std::thread::hardware_concurrency()); ++k)
-    workers.push_back(std::async(std::launch::async, work));
+  for (int k = 0; k < threads_or_all(0); ++k) workers.push_back(std::async(std::launch::async, work));
   for (auto& w : workers) w.get();
 }
 

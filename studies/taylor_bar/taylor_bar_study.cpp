@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <thread>
 #include <vector>
 
 #include "studies/driver/lookup.hpp"
+#include "studies/driver/machine_threads.hpp"
 #include "studies/driver/study.hpp"
 #include "verification/cases/case.hpp"
 
@@ -61,7 +61,7 @@ StudyReport run(StudyContext const& context) {
   double foot = 0, length = 0, reached = 0;
   for (std::size_t n = 0; n < radii.size(); ++n) {
     CaseOptions o;
-    o.cells = radii[n], o.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    o.cells = radii[n], o.threads = threads_or_all(0);
     o.progress = [&](double done) {
       context.progress((static_cast<double>(n) + done) / static_cast<double>(radii.size()),
                        fmt::format("{} cells a radius", radii[n]));

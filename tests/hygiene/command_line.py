@@ -50,6 +50,8 @@ for wrong in (["rnu"], ["run", "no-such-scene"], ["case", "no-such-case"], ["stu
         problems.append(f"g27 {' '.join(wrong)} prints on stdout: {done.stdout[:80]!r}")
     if not done.stderr.strip():
         problems.append(f"g27 {' '.join(wrong)} says nothing")
+    if wrong[0] != "figure" and not run_json(*wrong, status=2).get("error", {}).get("problem"):
+        problems.append(f"g27 {' '.join(wrong)} --json has no error")
 
 for arguments, hint in ((["frob"], "known: run, check"), (["exact", "jwl-card", "rho0=1.65"], "1000 kg/m^3"),
                         (["stl", "--make", "sphere"], "needs radius (of its surface)")):

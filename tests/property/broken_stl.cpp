@@ -358,7 +358,10 @@ std::vector<Damage> damages() {
        Fate::unreadable,
        {"claims 4294967295 facets"},
        0,
-       binary_damage([](Random&, std::string& b, std::size_t) { put_count(b, 0xFFFFFFFF); })},
+       binary_damage([](Random& r, std::string& b, std::size_t) {
+         if (below(r, 2) == 0) std::replace(b.begin(), b.end(), '\0', 'x');  // as a text has none
+         put_count(b, 0xFFFFFFFF);
+       })},
       {"fewer facets claimed",
        Fate::faulty,
        {"bytes after", "open edges"},

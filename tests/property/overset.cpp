@@ -85,7 +85,7 @@ TEST_CASE("donors give linear fields exactly, and constant ones bit by bit") {
   for (std::size_t i = 0; i < in.count(); ++i)
     linear[i] = field(in.centre(in.cell(i))), constant[i] = {0.1, 0.2, 0.3, 0.7, 1.1};
   Donors<GasFields> a(in, linear, IdealGas{1.4}), b(in, constant, IdealGas{1.4});
-  a.update(), b.update();
+  a.update(1), b.update(1);
   std::vector<CloudPoint<GasFields>> cloud, still;
   for (std::size_t t = 0; t < s.size(); ++t) {
     Vec3 const x = s.centre(t) - 0.07 * s.normal(t);
@@ -122,7 +122,7 @@ TEST_CASE("donors of gas keep mass, momentum and energy") {
     std::vector<GasFields> states(in.count());
     for (std::size_t i = 0; i < in.count(); ++i) states[i] = fields_of(eos, field(in.centre(in.cell(i))));
     Donors<GasFields> donors(in, states, eos);
-    donors.update();
+    donors.update(1);
     std::vector<CloudPoint<GasFields>> cloud;
     for (std::size_t t = 0; t < s.size(); ++t) {
       Vec3 const x = s.centre(t) - 0.07 * s.normal(t);
@@ -309,6 +309,49 @@ TEST_CASE("bodies that nothing has reached are left alone, and nothing changes b
   CHECK(without.counters.skipped == 0);
   CHECK(with.counters.steps == without.counters.steps);
   CHECK((with.numbers == without.numbers));  // not printed: 50000 numbers
+}
+
+TEST_CASE("the local grids of a rotating tetrahedron have its rotation, at tips and beyond its sides as well") {
+  SolidMedium const steel = solid_medium("steel");
+  int const n = 24;
+  double const h = 1.0 / n, p = 1e5;
+  Vec3 const middle{0.503, 0.507, 0.493}, rate{30, 50, 100};
+  auto const rotation = [&](Vec3 const& x) { return cross(rate, x - middle); };
+  OversetSetup setup{.gas = gas_cube(IdealGas{1.4}, 1, n), .bodies = {}};
+  BodySetup body{.surface = placed(make_tetrahedron(0.6, h), {1, 2, -1}, 0.4, middle),
+                 .material = steel.scheme,
+                 .cell = h,
+                 .initial = [=](Vec3 const& x) {
+                   return solid_state(steel, steel.rho0 * (1 + p / 175e9), cross(rate, x - middle), p);
+                 }};
+  auto const box = bounding_box(body.surface);
+  body.lower = box.lower - Vec3{h, h, h}, body.upper = box.upper + Vec3{h, h, h};
+  setup.bodies.push_back(std::move(body));
+  OversetSolver const solver(setup, [&](Vec3 const&) { return GasPoint{1, {0, 0, 0}, p}; });
+  Body const& b = *solver.bodies()[0];
+  Body::Nearby nearby(b);
+  int behind = 0, beside = 0, other = 0;
+  for (std::size_t t = 0; t < b.triangles.size(); ++t) {
+    Frame const& f = b.triangles[t].frame;
+    ModelStencil const s = b.stencil(t, nearby);
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j) {
+          if (k == 2 && i != 1 && j != 1) continue;  // never read
+          double const depth = (static_cast<double>(k) + 0.5) * h;
+          Vec3 const x = b.triangles[t].centre - depth * f.n + ((static_cast<double>(i) - 1) * h) * f.a +
+                         ((static_cast<double>(j) - 1) * h) * f.b;
+          // sums of some twenty terms
+          double const error = length(velocity_of(s.solid_smooth[k][i][j]) - f.into(rotation(x)));
+          if (!(error <= 1e-12 * length(rate))) ++other;
+          if (s.solid_ghost[k][i][j]) i == 1 && j == 1 ? ++behind : ++beside;
+        }
+      }
+    }
+  }
+  CHECK(behind > 100);
+  CHECK(beside > 1000);
+  CHECK(other == 0);
 }
 
 TEST_CASE("a stream leaves the tips of a tetrahedron alone") {

@@ -1,4 +1,5 @@
 /// Scenes with bodies through the program's own path: what is refused, what the files hold, and resuming.
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -119,7 +120,7 @@ std::vector<Mistake> const mistakes{
     {"surface = \"cube.stl\"\n", "", "body.0.surface", "missing", "add surface"},
     {"surface = \"cube.stl\"", "surface = \"none.stl\"", "body.0.surface", "", "g27 stl"},
     {"surface = \"cube.stl\"", "surface = \"text.stl\"", "body.0.surface", "", "g27 stl"},
-    {"surface = \"cube.stl\"", "surface = \"open.stl\"", "body.0.surface", "open edges", "--repair OUT"},
+    {"surface = \"cube.stl\"", "surface = \"open.stl\"", "body.0.surface", "open edges", "see g27 stl"},
     {"surface = \"cube.stl\"", "surface = \"two.stl\"", "body.0.surface", "2 closed surfaces", "one"},
     {"scale = \"1 cm\"\n", "", "body.0.scale", "missing", "add scale"},
     {"scale = \"1 cm\"", "scale = \"1 kg\"", "body.0.scale", "not a length", "5 cm"},
@@ -134,7 +135,7 @@ std::vector<Mistake> const mistakes{
     {"material = \"soft\"", "material = \"steel\"", "body.0.material", "'steel'", "soft"},
     {"material = \"soft\"", "material = \"gas\"", "body.0.material", "has no strength", "add strength"},
     {"material = \"soft\"", "material = \"soft\"\ncell = \"0 mm\"", "body.0.cell", "not positive", "> 0"},
-    {"material = \"soft\"", "material = \"soft\"\ncell = \"5 mm\"", "body.0.cell", "2 cells thin", "below 0.0025 m"},
+    {"material = \"soft\"", "material = \"soft\"\ncell = \"5 mm\"", "body.0.cell", "2 cells thin", "below 0.00333 m"},
     {"material = \"soft\"", "material = \"soft\"\npressure = \"-3 GPa\"", "body.0.pressure", "no density", "higher"},
     {"extent = [[\"0.7 cm\"", "extent = [[\"1.2 cm\"", "body.0.extent", "does not hold the body", "enlarge"},
     {"extent = [[\"0.7 cm\"", "extent = [[\"0.1 cm\"", "body.0.extent", "within 3 cells", "keep it"},
@@ -365,6 +366,22 @@ TEST_CASE("a body that leaves its box, or comes to another, ends the run and say
   std::string const met = failure({}, text);
   INFO(met);
   CHECK(met.find("bodies 'cube' and 'other'") != std::string::npos);
+}
+
+TEST_CASE("a body does not reach into the charge", "[scene]") {
+  auto const complaint = [](char const* z) {
+    std::vector<std::string> const set{"variant=[]", fmt::format("body.0.center=['0 cm', '0 cm', '{}']", z),
+                                       "body.0.extent=[['-2 cm', '2 cm'], ['-2 cm', '2 cm'], ['4 cm', '14 cm']]"};
+    try {
+      (void)g27::read_scene(g27::find_scene("equal-mass-cube"), set);
+    } catch (g27::InputError const& error) {
+      return error.problem;
+    }
+    return std::string();
+  };
+  // cube of 4.9 mm, charge of 5 cm: .05 mm apart, then .45 mm too near; the line's phase ends at 5.5 cm
+  CHECK(complaint("5.25 cm").find("reaches into") == std::string::npos);
+  CHECK(complaint("5.2 cm").find("reaches into the body 'top'") != std::string::npos);
 }
 
 TEST_CASE("a run is not resumed with another surface", "[resume]") {
