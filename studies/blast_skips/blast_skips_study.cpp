@@ -6,6 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "fsi/surface/clip.hpp"
+#include "fsi/surface/stl_file.hpp"
 #include "studies/bench/yardsticks.hpp"
 #include "studies/driver/atomic_file.hpp"
 #include "studies/driver/machine_threads.hpp"
@@ -42,8 +44,20 @@ constexpr std::size_t rest = 1, octant = 5, all = 6;
 
 constexpr double end_us = 20;
 
-std::string scene_of(Choice const& c) {
-  auto const surface = find_scene("equal-mass-cube").parent_path() / "cube-medium.stl";
+/// The cube with triangles that are mirror images of each other: parts of it are then the same body as the whole.
+void write_cube(std::filesystem::path const& file) {
+  auto const source = find_scene("equal-mass-cube").parent_path() / "cube-medium.stl";
+  TriangleSurface cube = weld(read_stl(source).facets, 1);
+  Vec3 const middle = mass_properties(cube).centroid;
+  for (Vec3& x : cube.vertices) x = x - middle;
+  constexpr double snap = 0.03;  // of the edge; triangles have 0.1
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    cube = unfolded(clip_surface(std::move(cube), axis, 0, true, snap), axis, 0);
+  }
+  write_atomically(file, binary_stl(cube));
+}
+
+std::string scene_of(Choice const& c, std::filesystem::path const& surface) {
   std::string text = fmt::format(R"(
 title = "A steel cube of 0.92 g beside a detonating sphere; left out: {}"
 [time]
@@ -111,7 +125,8 @@ struct Outcome {
 Outcome outcome_of(Choice const& c, std::size_t number, StudyContext const& context) {
   auto const folder = context.out / fmt::format("run-{}", number);
   std::filesystem::create_directories(folder);
-  write_atomically(folder / "scene.toml", scene_of(c));
+  write_cube(folder / "cube.stl");
+  write_atomically(folder / "scene.toml", scene_of(c, folder / "cube.stl"));
   Scene const scene = read_scene(folder / "scene.toml", {});
   double const start = process_cpu_seconds();
   SceneResult const result = run_scene(scene, {.out = folder, .threads = threads_or_all(0)});

@@ -62,6 +62,8 @@ CacheOptions cache_options(FigureArguments const& arguments) {
   return options;
 }
 
+bool has_bodies(Scene const& scene) { return scene.runs[0].grid && !scene.runs[0].grid->bodies.empty(); }
+
 /// The scenes that a figure needs, on every grid asked for.
 std::vector<Scene> scenes_of(std::vector<FigureNeed> const& needs, FigureArguments const& arguments) {
   std::vector<Scene> scenes;
@@ -77,6 +79,10 @@ std::vector<Scene> scenes_of(std::vector<FigureNeed> const& needs, FigureArgumen
         add(quick_look(read_overridden(file, set)));
       }
       scenes.push_back(read_scene(file, set));
+      if (!has_bodies(scenes.back()) && has_bodies(read_scene(find_scene(need.scene), need.set))) {
+        throw InputError("g27 figure", "--scene", fmt::format("{} has no bodies", scenes.back().name),
+                         fmt::format("name a scene with bodies, as {} has", need.scene));
+      }
     }
   }
   return scenes;

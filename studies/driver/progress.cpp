@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <numeric>
 
@@ -20,6 +21,7 @@ std::string duration_text(double seconds) {
 Progress::Progress(std::vector<double> weights)
     : weights_(std::move(weights)),
       fractions_(weights_.size(), 0.0),
+      first_(weights_.size(), -1.0),
       began_(std::chrono::steady_clock::now()),
       shown_(began_),
       terminal_(isatty(STDERR_FILENO) != 0) {}
@@ -29,20 +31,24 @@ Progress::~Progress() { clear(); }
 void Progress::update(std::size_t part, double fraction, std::string const& what) {
   std::lock_guard const lock(mutex_);
   fractions_[part] = fraction;
+  if (first_[part] < 0) {
+    first_[part] = fraction;
+  }
   double const total = std::accumulate(weights_.begin(), weights_.end(), 0.0);
-  double const done = std::inner_product(weights_.begin(), weights_.end(), fractions_.begin(), 0.0) / total;
-  if (resumed_ < 0) {
-    resumed_ = done;
+  double done = 0, gained = 0;
+  for (std::size_t k = 0; k < weights_.size(); ++k) {
+    done += weights_[k] * fractions_[k] / total;
+    gained += weights_[k] * (fractions_[k] - std::max(first_[k], 0.0)) / total;
   }
   auto const now = std::chrono::steady_clock::now();
   if (std::chrono::duration<double>(now - shown_).count() >= (terminal_ ? 0.1 : 10.0)) {
     shown_ = now;
-    show(done, what);
+    show(done, gained, what);
   }
 }
 
-void Progress::show(double fraction, std::string const& what) {
-  double const elapsed = std::chrono::duration<double>(shown_ - began_).count(), gained = fraction - resumed_;
+void Progress::show(double fraction, double gained, std::string const& what) {
+  double const elapsed = std::chrono::duration<double>(shown_ - began_).count();
   std::string const left =
       gained > 0.005 ? fmt::format(", {} left", duration_text(elapsed * (1 - fraction) / gained)) : "";
   fmt::print(stderr, "{}{:3.0f} %  {}{}{}", terminal_ ? "\r\033[K" : "", 100 * fraction, what, left,

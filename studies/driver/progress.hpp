@@ -23,12 +23,13 @@ class Progress {
   void clear();
 
  private:
-  void show(double fraction, std::string const& what);
+  void show(double fraction, double gained, std::string const& what);
 
   std::mutex mutex_;
   std::vector<double> weights_, fractions_;
+  std::vector<double>
+      first_;  ///< of each part at its first update: an earlier process's work tells nothing of our speed
   std::chrono::steady_clock::time_point began_, shown_;
-  double resumed_ = -1;  ///< fraction at the first update: work done by an earlier process tells nothing of our speed
   bool terminal_, line_open_ = false;
 };
 

@@ -9,6 +9,15 @@
 #include "studies/driver/nearest_key.hpp"
 
 namespace g27 {
+namespace {
+
+/// "a length", "an energy"
+std::string with_article(std::string_view name) {
+  bool const vowel = !name.empty() && std::string_view("aeiou").find(name.front()) != std::string_view::npos;
+  return fmt::format("{} {}", vowel ? "an" : "a", name);
+}
+
+}  // namespace
 
 void Reading::note_bare(std::string const& key, double value, Dimension const& dimension) {
   auto note = fmt::format("{} = {} ({}, {})", key, value, dimension.name, si_unit(dimension.exponents));
@@ -51,8 +60,9 @@ Node const& Section::need(std::string const& key, std::string const& example) co
 }
 
 double Section::quantity_of(Node const& node, std::string const& key, Dimension const& dimension) const {
+  std::string const kind = with_article(dimension.name);
   auto const fail = [&](std::string const& what) {
-    return error_at(node, full(key), what, fmt::format("give a {} such as \"{}\"", dimension.name, dimension.example));
+    return error_at(node, full(key), what, fmt::format("give {} such as \"{}\"", kind, dimension.example));
   };
   double value = 0;
   if (auto const* text = std::get_if<std::string>(&node.value)) {
@@ -61,8 +71,7 @@ double Section::quantity_of(Node const& node, std::string const& key, Dimension 
       throw fail(fmt::format("'{}' is not a number with a unit", *text));
     }
     if (parsed->has_unit && parsed->exponents != dimension.exponents) {
-      throw fail(
-          fmt::format("'{}' is not a {} but has the dimension {}", *text, dimension.name, si_unit(parsed->exponents)));
+      throw fail(fmt::format("'{}' is not {} but has the dimension {}", *text, kind, si_unit(parsed->exponents)));
     }
     value = parsed->value;
     if (!parsed->has_unit && dimension.exponents != dimension::number.exponents) {

@@ -16,7 +16,7 @@ def main():
     with h5py.File(source, "r") as file:
         table = {name: file["speeds"][name][:] for name in file["speeds"]}
     figure, axes = plt.subplots(figsize=(7, 4.5), constrained_layout=True)
-    for name, style in (("rigid wall", "k--"), ("p + rho u^2", "C0-"), ("rho u^2", "C0--")):
+    for name, style in (("rigid wall", "k--"), ("p + rho w^2", "C0-"), ("rho w^2", "C0--")):
         axes.plot(table["time"], table[name], style, label=f"plate, {name}")
     axes.plot(table["time"], table["cube"], "C3o-", lw=2, label="cube, computed")
     axes.set_xlabel("t [us]")

@@ -1,6 +1,7 @@
 /// The speed of a cube beside a detonating sphere, against what the spherical field alone gives a plate in its place.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <stdexcept>
 
 #include "studies/driver/atomic_file.hpp"
@@ -59,14 +60,14 @@ SceneResult ran(Scene const& scene, std::filesystem::path const& out) {
   return result;
 }
 
-/// The integral of f(row) over the history's time up to each row.
+/// Velocity of the plate up to each row of the history, under the pressure f(row, velocity).
 template <class F>
-std::vector<double> integrated(std::vector<double> const& time, F const& f) {
-  std::vector<double> sum(time.size(), 0);
+std::vector<double> driven(std::vector<double> const& time, F const& f) {
+  std::vector<double> v(time.size(), 0);
   for (std::size_t i = 1; i < time.size(); ++i) {
-    sum[i] = sum[i - 1] + 0.5 * (f(i - 1) + f(i)) * (time[i] - time[i - 1]);
+    v[i] = v[i - 1] + 0.5 * (f(i - 1, v[i - 1]) + f(i, v[i - 1])) * (time[i] - time[i - 1]) / areal_mass;
   }
-  return sum;
+  return v;
 }
 
 double at(std::vector<double> const& time, std::vector<double> const& value, double t) {
@@ -94,30 +95,30 @@ StudyReport run(StudyContext const& context) {
   auto const &free_time = free["time"], &wall_time = wall["time"], &cube_time = cube["time"];
   auto const &p = free["probe/near face/pressure"], &rho = free["probe/near face/density"],
              &u = free["probe/near face/velocity"];
-  auto const stagnation = integrated(free_time, [&](std::size_t i) { return p[i] + rho[i] * u[i] * u[i]; });
-  auto const dynamic = integrated(free_time, [&](std::size_t i) { return rho[i] * u[i] * u[i]; });
+  auto const flow = [&](std::size_t i, double v) { return rho[i] * (u[i] - v) * std::abs(u[i] - v); };
+  auto const stagnation = driven(free_time, [&](std::size_t i, double v) { return p[i] + flow(i, v); });
+  auto const dynamic = driven(free_time, flow);
   auto const& reflected = wall["right_impulse"];
   auto const& velocity = cube["body/top/velocity_z"];
 
   Table table{
       .name = "speeds",
       .title = "Velocity of a plate of 78 kg/m^2 at 6 cm by the spherical field, and of the cube there",
-      .columns = {{"time", "us"}, {"rho u^2", "m/s"}, {"p + rho u^2", "m/s"}, {"rigid wall", "m/s"}, {"cube", "m/s"}},
+      .columns = {{"time", "us"}, {"rho w^2", "m/s"}, {"p + rho w^2", "m/s"}, {"rigid wall", "m/s"}, {"cube", "m/s"}},
       .rows = {},
       .facts = {}};
   for (double const us : {8.0, 9.0, 10.0, 12.0, 15.0, 20.0, 30.0, 40.0, 55.0}) {
     double const t = us * 1e-6;
-    table.rows.push_back({us, at(free_time, dynamic, t) / areal_mass, at(free_time, stagnation, t) / areal_mass,
+    table.rows.push_back({us, at(free_time, dynamic, t), at(free_time, stagnation, t),
                           at(wall_time, reflected, t) / areal_mass, at(cube_time, velocity, t)});
   }
-  double const least = dynamic.back() / areal_mass, most = reflected.back() / areal_mass;
-  double const middle = stagnation.back() / areal_mass;
+  double const least = dynamic.back(), most = reflected.back() / areal_mass, middle = stagnation.back();
   return {{table},
-          {{"the cube is faster than by the momentum that would flow through its face in the free field",
+          {{"the cube is faster than a plate that the momentum of the free field's gas drives as it meets it",
             fmt::format("{:.0f} m/s against {:.0f} m/s", velocity.back(), least), velocity.back() > least},
            {"it is slower than a part of a rigid sphere around the charge, from which nothing escapes to the sides",
             fmt::format("{:.0f} m/s against {:.0f} m/s", velocity.back(), most), velocity.back() < most},
-           {"within 25 % of the stagnation pressure p + rho u^2 of the free field on its face",
+           {"within 25 % of a plate driven by the stagnation pressure p + rho w^2",
             fmt::format("{:.0f} m/s against {:.0f} m/s: {:+.1f} %", velocity.back(), middle,
                         100 * (velocity.back() / middle - 1)),
             std::abs(velocity.back() / middle - 1) < 0.25}}};

@@ -39,6 +39,7 @@ with tempfile.TemporaryDirectory() as folder:
     figure("fig18", "--from", str(next(cache.iterdir())), "--out", "elsewhere")
     check("--out is not heeded", (pathlib.Path(folder) / "elsewhere/fig18.png").exists())
     figure("fig18", "--scene", "three-cubs-quick", status=2)
+    figure("fig18", "--scene", "sod", status=2)
     figure("fig18", "--from", "nowhere", status=2)
 
     page = pathlib.Path(figure("gallery", *QUICK).stdout.splitlines()[-1])

@@ -201,7 +201,7 @@ std::vector<Mistake> const mistakes{
     {"extent = [\"0.5 m\", \"1 m\"]", "extent = [\"0.5 m\", \"0.9 m\"]", "scene", "no initial data", "[[region]]"},
     {"density = \"1 kg/m3\"", "material = \"steel\"\ndensity = \"1 kg/m3\"", "region", "'steel' is not defined", "use 'gas'"},
     {"[output]", "[initial]\ntype = \"table\"\nfile = \"x.csv\"\n[output]", "initial", "beside", "keep one"},
-    {"[output]", "[[charge]]\nradius = \"5 cm\"\ndensity = \"1.65 g/cm3\"\nenergy = \"8.2 m\"\n[output]", "charge.0.energy", "not a energy", "GJ/m3"},
+    {"[output]", "[[charge]]\nradius = \"5 cm\"\ndensity = \"1.65 g/cm3\"\nenergy = \"8.2 m\"\n[output]", "charge.0.energy", "not an energy", "GJ/m3"},
     // output, expectations, variants
     {"snapshots = [\"0.5 ms\"]", "snapshots = [\"0.5 ms\", \"0.1 ms\"]", "output.snapshots", "do not increase", "sort"},
     {"threshold = \"2 bar\"", "threshold = \"0 bar\"", "output.threshold", "not positive", "> 0"},
