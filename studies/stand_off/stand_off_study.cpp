@@ -29,7 +29,7 @@ std::vector<std::string> settings(double stand_off) {
       "body.0.cell=\"1.4 mm\"",
       fmt::format("body.0.center=[\"0 cm\", \"0 cm\", {}]", cm(near_face + 0.5)),
       fmt::format("body.0.extent=[[\"-2 cm\", \"2 cm\"], [\"-2 cm\", \"2 cm\"], [{}, \"14 cm\"]]", cm(near_face - 0.2)),
-      fmt::format("start.one_dimensional_radius={}", cm(5 + 0.5 * s)),
+      fmt::format("start.one_dimensional_radius={}", cm(std::min(5 + 0.5 * s, 5.9))),  // the sides are at 6 cm
       "output.snapshots=[]"};
 }
 
