@@ -10,6 +10,7 @@
 #include "studies/driver/scene_reader.hpp"
 #include "studies/driver/simulate.hpp"
 #include "tests/catch.hpp"
+#include "tests/reference_table.hpp"
 
 namespace fs = std::filesystem;
 
@@ -111,6 +112,28 @@ TEST_CASE("on a grid a charge is lit where told", "[scene][charge]") {
                   g27::InputError);
   CHECK_THROWS_AS(folder.scene(grid + material + "center = [\"0 cm\", \"0 cm\", \"0 cm\"]\npressure = \"2 bar\"\n"),
                   g27::InputError);
+}
+
+TEST_CASE("lighting times are those of Kenamond's problem, from one point and from two", "[scene][charge]") {
+  Folder const folder;
+  g27::ReferenceTable const table = g27::read_reference("kenamond1.csv", {"x", "y", "burntime"});
+  REQUIRE(table.rows.size() > 400);
+  std::string const centre = "center = [\"0 cm\", \"0 cm\", \"0 cm\"]\nstart = \"ignition\"\n";
+  double const unit = 0.05 / 30;  // of the table in the charge, whose points and their distances lie within it
+  auto const burn_of = [&](std::string const& ignition) {
+    return folder.scene(grid + material + centre + ignition).runs[0].grid->setup.burn;
+  };
+  auto const one = burn_of("");
+  auto const two = burn_of("ignition = [[\"0 cm\", \"0 cm\", \"0 cm\"], [\"1 cm\", \"0 cm\", \"0 cm\"]]\n");
+  for (auto const& row : table.rows) {
+    // the table has ten digits
+    double const at_origin = one.lighting({unit * row[0], unit * row[1], 0}) * one.speed / unit;
+    CHECK(std::fabs(at_origin - row[2]) <= 1e-8);
+    // the same table about the second point: the front that comes first counts
+    g27::Vec3 const x{0.01 + unit * row[0], unit * row[1], 0};
+    double const from_first = std::hypot(x[0], x[1]) / unit;
+    CHECK(std::fabs(two.lighting(x) * two.speed / unit - std::min(row[2], from_first)) <= 1e-8);
+  }
 }
 
 TEST_CASE("an unburnt charge on a line ends at a face", "[scene][charge]") {
