@@ -90,7 +90,10 @@ class State:
 
 class Run:
     def __init__(self, file):
-        self.file = h5py.File(file, "r")
+        try:
+            self.file = h5py.File(file, "r")
+        except OSError as error:
+            sys.exit(f"{file}: cannot be read as results: {error}")
         about = self.file["run"].attrs
         self.scene, self.scheme = text(about.get("scene", "?")), text(about["scheme"])
         self.variant = text(about["variant"])

@@ -12,6 +12,11 @@
 namespace g27 {
 
 void write_atomically(std::filesystem::path const& file, std::span<std::byte const> bytes) {
+  std::error_code unknown;
+  auto const there = std::filesystem::status(file, unknown);
+  if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there)) {
+    throw OutputError(fmt::format("cannot write {}: it is no file", file.string()));
+  }
   std::filesystem::path const temporary = file.string() + ".part";
   int const descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   int error = descriptor < 0 ? errno : 0;

@@ -34,6 +34,9 @@ void json_flag(CLI::App* command, bool& json) {
 /// An empty name would be the current folder.
 std::string not_empty(std::string const& text) { return text.empty() ? "needs the name of a folder" : ""; }
 
+/// CLI::Range lets nan pass.
+std::string a_number(std::string const& text) { return text == "nan" || text == "-nan" ? "needs a number" : ""; }
+
 /// Each command shares its arguments with the action that CLI11 keeps.
 template <class Arguments>
 CLI::App* add_command(CLI::App& app, std::string const& name, std::string const& what, int (*command)(Arguments const&),
@@ -57,7 +60,8 @@ void add_run(CLI::App& app, int& status) {
   sub->add_flag("--resume", a->resume, "continue from the last checkpoint in the folder");
   sub->add_option("--checkpoint", a->checkpoint_s, "seconds between checkpoints")
       ->capture_default_str()
-      ->check(CLI::Range(0.0, 1e9));
+      ->check(CLI::Range(0.0, 1e9))
+      ->check(a_number);
   sub->add_flag("!--no-figures", a->figures, "draw nothing");
   json_flag(sub, a->json);
 }
@@ -124,7 +128,8 @@ void add_figure(CLI::App& app, int& status) {
   sub->add_option("--scene", a->scene, "of a figure of the paper, instead of the scene it needs");
   sub->add_option("--grids", a->grids, "of a figure of the paper, cells of these widths over the scene's: 1,1.5,2")
       ->delimiter(',')
-      ->check(CLI::Range(0.01, 100.0));
+      ->check(CLI::Range(0.01, 100.0))
+      ->check(a_number);
   sub->add_option("--threads", a->threads, "default: all of the machine")->check(CLI::Range(1, 1024));
   sub->add_flag("--cached", a->cached, "takes results of another build as they are");
 }

@@ -270,6 +270,22 @@ double Hdf5Reader::number_attribute(std::string const& path, std::string const& 
   return value;
 }
 
+void Hdf5Reader::verify(std::string const& group) const {
+  for (std::string const& name : names(group)) {
+    std::string const path = (group == "/" ? "" : group) + "/" + name;
+    if (is_group(path)) {
+      verify(path);
+      continue;
+    }
+    Handle const dataset(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose, "open " + path + " of " + name_);
+    Handle const type(H5Dget_type(dataset), H5Tclose, "read the type of " + path);
+    Handle const space(H5Dget_space(dataset), H5Sclose, "read the shape of " + path);
+    std::vector<char> data(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)) * H5Tget_size(type));
+    check(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.data()),
+          "read " + path + " of " + name_ + ", which may be damaged");
+  }
+}
+
 std::vector<std::string> Hdf5Reader::names(std::string const& group) const {
   Handle const handle(H5Gopen2(file_, group.c_str(), H5P_DEFAULT), H5Gclose, "open " + group + " of " + name_);
   H5G_info_t info;

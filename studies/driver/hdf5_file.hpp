@@ -55,6 +55,8 @@ class Hdf5Reader {
   [[nodiscard]] std::string read_text(std::string const& path) const;
   [[nodiscard]] std::string text_attribute(std::string const& path, std::string const& name) const;
   [[nodiscard]] double number_attribute(std::string const& path, std::string const& name) const;
+  /// Reads all that the group holds, in the files it links to as well; throws OutputError where a checksum is wrong.
+  void verify(std::string const& group = "/") const;
   /// Names in a group, in alphabetical order.
   [[nodiscard]] std::vector<std::string> names(std::string const& group) const;
 

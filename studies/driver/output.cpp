@@ -71,6 +71,7 @@ void write_run(std::filesystem::path const& file, Scene const& scene, SceneRun c
 void check_resumable(std::filesystem::path const& file, Scene const& scene, SceneRun const& run) {
   Hdf5Reader const in(file);
   check_identity(in, file, scene, run);
+  in.verify();
   if (run.grid) check_states(in, file);
 }
 

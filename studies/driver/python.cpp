@@ -151,6 +151,16 @@ bool run_script(std::filesystem::path const& script, std::vector<std::string> co
   }
   if (status == 0) {
     std::filesystem::rename(aside, figure, error);
+    // further pages, written beside it: NAME.part-page.png
+    std::string const head = aside.stem().string() + "-", folder = figure.parent_path().string();
+    std::vector<std::filesystem::path> pages;
+    for (auto const& entry : std::filesystem::directory_iterator(folder.empty() ? "." : folder)) {
+      if (entry.path().filename().string().starts_with(head)) pages.push_back(entry.path());
+    }
+    for (auto const& page : pages) {
+      std::string const rest = page.filename().string().substr(head.size());
+      std::filesystem::rename(page, page.parent_path() / (figure.stem().string() + "-" + rest), error);
+    }
   } else {
     std::filesystem::remove(aside, error);
     fmt::print(stderr, "figure {}: the script failed with status {}\n", name, status);

@@ -16,12 +16,12 @@ std::string canonical(Node const& node) {
   struct Writer {
     std::string operator()(bool flag) const { return flag ? "true" : "false"; }
     std::string operator()(long number) const { return (*this)(static_cast<double>(number)); }
-    std::string operator()(double number) const { return fmt::format("{:.17g}", number); }
+    // units are powers of ten of SI ones, to round-off: "9 us" is 9e-6
+    std::string operator()(double number) const { return fmt::format("{:.15g}", number); }
     std::string operator()(std::string const& text) const {
       auto const quantity = parse_quantity(text);
-      if (quantity && quantity->has_unit) {  // "1 mm" and "0.1 cm" differ by rounding
-        return fmt::format("{:.12g} {}", quantity->value, si_unit(quantity->exponents));
-      }
+      if (quantity && quantity->has_unit) return (*this)(quantity->value);
+      if (text == "on" || text == "off") return (*this)(text == "on");
       return fmt::format("\"{}:{}\"", text.size(), text);
     }
     std::string operator()(Node::Array const& list) const {

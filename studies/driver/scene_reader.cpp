@@ -129,7 +129,9 @@ std::optional<double> read_cfl(Section const& time, std::string const& key, doub
 
 /// [time]: sets the end.
 Section read_time(Section const& root, SceneRun& run) {
-  Section const time = root.table("time", {"end", "cfl", "body_cfl"});
+  std::vector<std::string> keys{"end", "cfl"};
+  if (root.has("body")) keys.emplace_back("body_cfl");
+  Section const time = root.table("time", keys);
   run.end = time.positive("end", dimension::time);
   if (run.end <= run.start) {
     throw time.error("end", fmt::format("{} s is not after the start at {} s", run.end, run.start), "make it later");

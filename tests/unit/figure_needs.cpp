@@ -108,7 +108,7 @@ TEST_CASE("the digest of a scene is of what determines its results", "[unit]") {
   SECTION("of keys, also by --set, and of the surface") {
     CHECK(folder.digest(text, {"scheme.order=1"}) != digest);
     CHECK(folder.digest(text, {"time.end=5.1 us"}) != digest);
-    for (char const* same : {"5 us", "5us", "5.0 us", "0.005 ms", "\"5000 ns\""}) {
+    for (char const* same : {"5 us", "5us", "5.0 us", "0.005 ms", "\"5000 ns\"", "5e-6"}) {
       INFO(same);
       CHECK(folder.digest(text, {std::string("time.end=") + same}) == digest);
     }

@@ -2,12 +2,14 @@
 #include "studies/driver/hdf5_file.hpp"
 
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
 #include <fstream>
 
+#include "studies/driver/atomic_file.hpp"
 #include "tests/catch.hpp"
 
 namespace fs = std::filesystem;
@@ -66,6 +68,14 @@ TEST_CASE("misuse and damage are errors, not crashes", "[hdf5]") {
   CHECK_THROWS_AS(g27::Hdf5Reader(folder.path / "a.h5"), g27::OutputError);
 }
 
+TEST_CASE("what is no file is not written over", "[hdf5]") {
+  Folder const folder;
+  fs::path const pipe = folder.path / "pipe";
+  REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+  CHECK_THROWS_AS(g27::write_atomically(pipe, "text"), g27::OutputError);
+  CHECK(fs::is_fifo(pipe));
+}
+
 // Any byte of the data may be hit; checksums of the chunks are the property. Data of 8 kB holds no byte of metadata.
 TEST_CASE("data of which one bit has changed is not read", "[hdf5]") {
   Folder const folder;
@@ -74,9 +84,11 @@ TEST_CASE("data of which one bit has changed is not read", "[hdf5]") {
   for (std::size_t i = 0; i < data.size(); ++i) data[i] = 1e6 + static_cast<double>(i);
   {
     g27::Hdf5Writer out;
-    out.write("/density", data, "kg/m3");
+    out.write("/state/density", data, "kg/m3");
+    out.write_text("/title", "x");
     out.save(file);
   }
+  CHECK_NOTHROW(g27::Hdf5Reader(file).verify());
   std::ifstream in(file, std::ios::binary);
   std::string bytes((std::istreambuf_iterator<char>(in)), {});
   std::string const number(reinterpret_cast<char const*>(&data[500]), sizeof(double));
@@ -84,7 +96,8 @@ TEST_CASE("data of which one bit has changed is not read", "[hdf5]") {
   REQUIRE(at != std::string::npos);
   bytes[at] = static_cast<char>(bytes[at] ^ 1);
   std::ofstream(file, std::ios::binary) << bytes;
-  CHECK_THROWS_AS(g27::Hdf5Reader(file).read("/density"), g27::OutputError);
+  CHECK_THROWS_AS(g27::Hdf5Reader(file).read("/state/density"), g27::OutputError);
+  CHECK_THROWS_AS(g27::Hdf5Reader(file).verify(), g27::OutputError);
 }
 
 TEST_CASE("a failing disk leaves the previous complete file", "[hdf5]") {
