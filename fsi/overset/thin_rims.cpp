@@ -11,7 +11,7 @@ namespace {
 /// stress as well doubles what the mass gains.
 constexpr double rate = 1.25;
 /// Where the second layer is there and the third is not: this keeps the tips of a tetrahedron together. At .3 they
-/// hardly are in a uniform stream, and at .5 the blast still tears a tip off an elastic one; from .5 to 1.1 its speed
+/// hardly are in a uniform stream, and at .5 the blast still tears a tip off an elastic one; from .6 to 1.1 its speed
 /// changes by .3 %.
 constexpr double rate_of_thicker = 0.7;
 

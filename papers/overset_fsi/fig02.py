@@ -8,15 +8,14 @@ import _characteristics
 import numpy as np
 from _paper import CM, US, arguments, plt, save, si
 
+COURANT = 0.8
+
 
 def sound_speed(eos, rho, p):
     """Of products after Jones, Wilkins and Lee [m/s]."""
     v = si(eos["rho0"]) / rho
     a, b = (si(eos[k]) * np.exp(-eos[r] * v) for k, r in (("A", "R1"), ("B", "R2")))
     return np.sqrt(((eos["R1"] * a + eos["R2"] * b) * v + (1 + eos["omega"]) * (p - a - b)) / rho)
-
-
-COURANT = 0.8
 
 
 def main():

@@ -4,13 +4,11 @@
 
 #include <array>
 #include <cmath>
-#include <stdexcept>
 
 #include "fsi/surface/clip.hpp"
 #include "fsi/surface/stl_file.hpp"
 #include "studies/bench/yardsticks.hpp"
 #include "studies/driver/atomic_file.hpp"
-#include "studies/driver/machine_threads.hpp"
 #include "studies/driver/scene_reader.hpp"
 #include "studies/driver/scene_run.hpp"
 #include "studies/driver/study.hpp"
@@ -126,13 +124,10 @@ struct Outcome {
 Outcome outcome_of(Choice const& c, std::size_t number, StudyContext const& context) {
   auto const folder = context.out / fmt::format("run-{}", number);
   std::filesystem::create_directories(folder);
-  write_cube(folder / "cube.stl");
-  write_atomically(folder / "scene.toml", scene_of(c, folder / "cube.stl"));
+  write_atomically(folder / "scene.toml", scene_of(c, context.out / "cube.stl"));
   Scene const scene = read_scene(folder / "scene.toml", {});
   double const start = process_cpu_seconds();
-  SceneResult const result = run_scene(scene, {.out = folder, .threads = threads_or_all(0)});
-  for (auto const& [run, why] : result.failures) throw std::runtime_error(fmt::format("{}: {}", c.name, why));
-  if (result.interrupted != 0 || result.records.size() != 1) throw std::runtime_error("interrupted");
+  SceneResult const result = run_whole(scene, folder);
   RunRecord const& record = result.records.begin()->second;
   return {record.history["body/cube/velocity_z"], process_cpu_seconds() - start,
           static_cast<double>(record.counters().steps)};
@@ -153,6 +148,7 @@ StudyReport run(StudyContext const& context) {
                           {"identical", "1"}},
               .rows = {},
               .facts = {}};
+  write_cube(context.out / "cube.stl");
   std::vector<Outcome> outcomes;
   auto const last = [&](std::size_t n) { return outcomes[n].velocity.back(); };
   for (std::size_t n = 0; n < choices.size(); ++n) {

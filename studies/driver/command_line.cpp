@@ -220,6 +220,7 @@ int run_program(int argc, char** argv) {
   }
   try {
     app.parse(argc, argv);
+    if (status > 128) status = reporter.failed("interrupted", status);
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
       throw OutputError("cannot write to stdout");
     }

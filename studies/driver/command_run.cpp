@@ -97,7 +97,6 @@ int command_run(RunArguments const& arguments) {
     bool const saved = has_checkpoint(scene, out);
     fmt::print(stderr, "interrupted; {}\n",
                saved ? "to continue: " + resume_command(arguments, out) : "nothing was saved yet");
-    if (arguments.json) fmt::print("{}\n", R"({"error": {"problem": "interrupted"}})");
     return 128 + result.interrupted;
   }
   RunReport const report = write_report(scene, result, out);

@@ -27,8 +27,7 @@ class Progress {
 
   std::mutex mutex_;
   std::vector<double> weights_, fractions_;
-  std::vector<double>
-      first_;  ///< of each part at its first update: an earlier process's work tells nothing of our speed
+  std::vector<double> first_;  ///< fractions at the first update: an earlier process's work tells nothing of our speed
   std::chrono::steady_clock::time_point began_, shown_;
   bool terminal_, line_open_ = false;
 };

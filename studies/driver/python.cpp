@@ -136,35 +136,34 @@ bool run_script(std::filesystem::path const& script, std::vector<std::string> co
   // -B: no __pycache__ in the source tree
   std::vector<std::string> command{python, "-B", script.string()};
   command.insert(command.end(), arguments.begin(), arguments.end());
-  // written aside and renamed: an interrupted script leaves the old figure or none
-  std::filesystem::path const figure = arguments.back();
-  auto const aside =
-      std::filesystem::path(figure).replace_filename(figure.stem().string() + ".part" + figure.extension().string());
-  command.back() = aside.string();
+  // drawn in a folder aside, with all of its pages, and moved: an interrupted script leaves the old figure or none
+  namespace fs = std::filesystem;
+  fs::path const figure = arguments.back(), folder = figure.parent_path();
+  fs::path const aside = folder / (figure.stem().string() + ".part");
   std::error_code error;
+  fs::create_directory(aside, error);
+  if (error) {
+    fmt::print(stderr, "figure {}: cannot write to {}: {}\n", name, aside.string(), error.message());
+    return false;
+  }
+  command.back() = (aside / figure.filename()).string();
   int status = -1;
   try {
     status = run_process(command);
   } catch (Interrupted const&) {
-    std::filesystem::remove(aside, error);
+    fs::remove_all(aside, error);
     throw;
   }
   if (status == 0) {
-    std::filesystem::rename(aside, figure, error);
-    // further pages, written beside it: NAME.part-page.png
-    std::string const head = aside.stem().string() + "-", folder = figure.parent_path().string();
-    std::vector<std::filesystem::path> pages;
-    for (auto const& entry : std::filesystem::directory_iterator(folder.empty() ? "." : folder)) {
-      if (entry.path().filename().string().starts_with(head)) pages.push_back(entry.path());
-    }
-    for (auto const& page : pages) {
-      std::string const rest = page.filename().string().substr(head.size());
-      std::filesystem::rename(page, page.parent_path() / (figure.stem().string() + "-" + rest), error);
+    std::vector<fs::path> const pages(fs::directory_iterator(aside), fs::directory_iterator{});
+    for (fs::path const& page : pages) {
+      if (!error) fs::rename(page, folder / page.filename(), error);
     }
   } else {
-    std::filesystem::remove(aside, error);
     fmt::print(stderr, "figure {}: the script failed with status {}\n", name, status);
   }
+  std::error_code ignored;
+  fs::remove_all(aside, ignored);
   return status == 0 && !error;
 }
 

@@ -33,12 +33,14 @@ CacheState state_of(fs::path const& file, Scene const& scene, SceneRun const& ru
     bool const ours = text_of(in, "/provenance/sources") == facts.sources &&
                       text_of(in, "/provenance/compiler") == facts.compiler &&
                       text_of(in, "/provenance/flags") == facts.flags;
-    if (complete) in.verify();
-    if (complete) return ours ? CacheState::finished : CacheState::of_other_program;
+    if (complete) {
+      in.verify();
+      return ours ? CacheState::finished : CacheState::of_other_program;
+    }
     if (!ours) return CacheState::absent;
     check_resumable(file, scene, run);
     return CacheState::unfinished;
-  } catch (InputError const&) {  // the scene has other comments or is written otherwise
+  } catch (InputError const&) {  // of another run
     return CacheState::absent;
   } catch (OutputError const&) {  // damaged
     return CacheState::absent;

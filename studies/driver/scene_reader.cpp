@@ -229,7 +229,7 @@ std::vector<SceneRun> read_grid_runs(Section const& root, SceneRun run) {
   }
   Section const time = read_time(root, run);
   std::optional<double> const cfl = read_cfl(time, "cfl", 1);
-  grid.cfl = cfl.value_or(0), grid.body_cfl = read_cfl(time, "body_cfl", 1.4).value_or(grid.cfl);
+  grid.cfl = cfl.value_or(0), grid.body_cfl = read_cfl(time, "body_cfl", largest_body_cfl).value_or(grid.cfl);
   grid.initial = make_initial(regions.list, grid.setup.eos, dimensions);
   grid.point = make_point_initial(regions.list);
   grid.bodies = read_bodies(root, grid.setup, grid.point);

@@ -14,6 +14,7 @@
 #include "studies/driver/atomic_file.hpp"
 #include "studies/driver/grid_output.hpp"
 #include "studies/driver/input_error.hpp"
+#include "studies/driver/machine_threads.hpp"
 #include "studies/driver/output.hpp"
 #include "studies/driver/progress.hpp"
 #include "studies/driver/simulate.hpp"
@@ -181,6 +182,13 @@ SceneResult run_scene(Scene const& scene, SceneRunOptions const& options) {
   result.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   result.cpu_s = usage().cpu_s - cpu_before, result.peak_bytes = usage().peak_bytes;
   result.judgements = judge(scene, result.records);
+  return result;
+}
+
+SceneResult run_whole(Scene const& scene, std::filesystem::path const& out) {
+  SceneResult result = run_scene(scene, {.out = out, .threads = threads_or_all(0)});
+  for (auto const& [run, why] : result.failures) throw std::runtime_error(fmt::format("{}: {}", run, why));
+  if (result.interrupted != 0) throw std::runtime_error("interrupted");
   return result;
 }
 

@@ -2,10 +2,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <stdexcept>
 
 #include "studies/driver/atomic_file.hpp"
-#include "studies/driver/machine_threads.hpp"
 #include "studies/driver/scene_reader.hpp"
 #include "studies/driver/scene_run.hpp"
 #include "studies/driver/study.hpp"
@@ -53,13 +51,6 @@ output = {{ probe = [] }}
                      near_face);
 }
 
-SceneResult ran(Scene const& scene, std::filesystem::path const& out) {
-  SceneResult result = run_scene(scene, {.out = out, .threads = threads_or_all(0)});
-  for (auto const& [run, why] : result.failures) throw std::runtime_error(fmt::format("{}: {}", run, why));
-  if (result.interrupted != 0) throw std::runtime_error("interrupted");
-  return result;
-}
-
 /// Velocity of the plate up to each row of the history, under the pressure f(row, velocity).
 template <class F>
 std::vector<double> driven(std::vector<double> const& time, F const& f) {
@@ -85,9 +76,9 @@ StudyReport run(StudyContext const& context) {
   std::filesystem::create_directories(folder);
   write_atomically(folder / "scene.toml", field_scene());
   say(0, "the spherical field");
-  SceneResult const field = ran(read_scene(folder / "scene.toml", {}), folder);
+  SceneResult const field = run_whole(read_scene(folder / "scene.toml", {}), folder);
   say(0.1, "three cubes");
-  SceneResult const cubes = ran(read_scene(find_scene("three-cubes-quick"), {}), context.out / "cubes");
+  SceneResult const cubes = run_whole(read_scene(find_scene("three-cubes-quick"), {}), context.out / "cubes");
 
   auto const& free = field.records.at("free-linear").history;
   auto const& wall = field.records.at("wall-linear").history;

@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 
-#include "studies/driver/machine_threads.hpp"
 #include "studies/driver/scene_reader.hpp"
 #include "studies/driver/scene_run.hpp"
 #include "studies/driver/study.hpp"
@@ -56,10 +54,7 @@ StudyReport run(StudyContext const& context) {
       context.progress(static_cast<double>(n) / stand_offs.size(), fmt::format("{:g} mm from the charge", mm));
     }
     Scene const scene = read_scene(find_scene("equal-mass-cube"), settings(mm));
-    SceneResult const result =
-        run_scene(scene, {.out = context.out / fmt::format("run-{}", n), .threads = threads_or_all(0)});
-    for (auto const& [name, why] : result.failures) throw std::runtime_error(fmt::format("{:g} mm: {}", mm, why));
-    if (result.interrupted != 0) throw std::runtime_error("interrupted");
+    SceneResult const result = run_whole(scene, context.out / fmt::format("run-{}", n));
     History const& h = result.records.begin()->second.history;
     double const end = h["time"].back(), then = thickness(h, early);
     velocity.push_back(h["body/top/velocity_z"].back()), left.push_back(thickness(h, end));
