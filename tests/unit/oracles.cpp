@@ -46,7 +46,7 @@ TEST_CASE("every oracle is documented and runs", "[oracle]") {
   }
   for (char const* name : {"gas-riemann", "taylor-wave", "sedov", "noh", "simple-wave", "isentrope", "vortex",
                            "oblique-shock", "elastic-riemann", "ep-piston", "ep-riemann", "blake", "free-vibration",
-                           "be-shell", "rigid-rotation", "gas-solid", "jwl-card", "superseismic"})
+                           "be-shell", "rigid-rotation", "gas-solid", "jwl-card", "superseismic", "kenamond"})
     CHECK(names.count(name) == 1);
 }
 
@@ -85,6 +85,8 @@ TEST_CASE("inadmissible arguments are errors, not crashes", "[oracle]") {
   CHECK_THROWS_AS(run("be-shell", {{"u0", "2000"}}), OracleError);  // closes
   CHECK_THROWS_AS(run("free-vibration", {{"order", "1.5"}}), OracleError);
   CHECK_THROWS_AS(run("rigid-rotation", {{"axis_z", "0"}}), OracleError);
+  CHECK_THROWS_AS(run("kenamond", {{"ignition_y", "0.2"}}), OracleError);  // within the sphere
+  CHECK_THROWS_AS(run("kenamond", {{"y", "0"}}), OracleError);             // as some points are
 }
 
 TEST_CASE("the right solid of an elastoplastic Riemann problem is as the left where it is not told apart", "[oracle]") {
