@@ -8,7 +8,7 @@
 
 #include "fsi/surface/vec3.hpp"
 #include "riemann/eos/factory.hpp"
-#include "studies/driver/scene_parts.hpp"
+#include "studies/driver/scene_grid_parts.hpp"
 #include "verification/exact/taylor_wave.hpp"
 
 namespace g27 {
@@ -22,7 +22,7 @@ std::vector<std::string> charge_keys(int dimensions, bool lit) {
   std::vector<std::string> keys{"material", "radius", "density", "energy", "start"};
   if (dimensions > 1) keys.push_back("center");
   if (lit) keys.push_back("pressure");
-  if (lit && dimensions > 1) keys.push_back("ignition");
+  if (lit && dimensions > 1) keys.insert(keys.end(), {"ignition", "obstacle"});
   return keys;
 }
 
@@ -57,7 +57,7 @@ std::vector<Vec3> read_ignition(Section const& section, Charge const& charge, in
 
 /// The unburnt explosive at rest, and the burn that releases the rest of its energy [J/m^3] behind a front from every
 /// point of ignition, by Huygens.
-void light(Charge& charge, AnyEos const& eos, double density, double energy, double speed, std::vector<Vec3> points) {
+void light(Charge& charge, AnyEos const& eos, double density, double energy, double speed) {
   Section const& section = charge.section;
   double const pressure =
       section.has("pressure") ? section.positive("pressure", dimension::pressure) : standard_pressure;
@@ -67,12 +67,12 @@ void light(Charge& charge, AnyEos const& eos, double density, double energy, dou
     throw section.error("energy", fmt::format("is not above the {:g} J/m3 of the unburnt explosive", thermal),
                         "check density, energy and the equation of state");
   }
-  charge.central = points.size() == 1 && points[0] == charge.centre;
+  charge.central = charge.ignition == std::vector<Vec3>{charge.centre} && charge.obstacles.empty();
   charge.state = [rest](double) { return rest; };
   charge.burn = {
       .energy = (energy - thermal) / density,
       .speed = speed,
-      .lighting = [=, points = std::move(points), centre = charge.centre, radius = charge.radius](Vec3 const& x) {
+      .lighting = [=, points = charge.ignition, centre = charge.centre, radius = charge.radius](Vec3 const& x) {
         if (length(x - centre) > radius) return ProgrammedBurn::no_explosive;
         double nearest = 1e300;
         for (Vec3 const& from : points) nearest = std::min(nearest, length(x - from));
@@ -105,7 +105,9 @@ Charge read_charge(Section const& given, AnyEos const& eos, Symmetry symmetry, i
                         "check density, energy and the equation of state (jwl or ideal)");
   }
   if (lit) {
-    light(charge, eos, density, energy, speed, read_ignition(section, charge, dimensions));
+    charge.ignition = read_ignition(section, charge, dimensions);
+    if (dimensions > 1) charge.obstacles = read_obstacles(section, charge.radius, dimensions);
+    light(charge, eos, density, energy, speed);
   } else {
     check_admissible(section, eos, charge.state(0));
   }

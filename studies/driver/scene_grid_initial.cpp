@@ -16,13 +16,7 @@ void set_box(GridRegion& region, Section const& section, int dimensions) {
     throw section.error("extent", fmt::format("has {} intervals", extent.size()),
                         fmt::format("give {}, one an axis", dimensions));
   }
-  region.distance = [extent](Vec3 const& x) {
-    double most = -1e300;
-    for (std::size_t d = 0; d < extent.size(); ++d) {
-      most = std::max({most, extent[d][0] - x[d], x[d] - extent[d][1]});
-    }
-    return most;
-  };
+  region.distance = distance_to_box(extent);
 }
 
 void set_sphere(GridRegion& region, Section const& section, int dimensions) {
@@ -65,10 +59,14 @@ std::vector<Shape> const shapes{{"box", {"shape", "extent"}, set_box},
                                 {"cylinder", {"shape", "axis", "center", "radius", "length"}, set_cylinder},
                                 {"half-space", {"shape", "point", "normal"}, set_half_space}};
 
-GridRegion read_region(Section const& any, AnyEos const& eos, int dimensions) {
+Shape const& shape_of(Section const& any) {
   std::vector<std::string> names;
   std::transform(shapes.begin(), shapes.end(), std::back_inserter(names), [](Shape const& s) { return s.name; });
-  Shape const& shape = shapes[index_of_choice(any, "shape", any.text("shape"), names)];
+  return shapes[index_of_choice(any, "shape", any.text("shape"), names)];
+}
+
+GridRegion read_region(Section const& any, AnyEos const& eos, int dimensions) {
+  Shape const& shape = shape_of(any);
   Section const section = any.reopened(with_state_keys(shape.keys));
   GasPoint const state = read_point_state(section, eos, dimensions);
   GridRegion region{
@@ -101,7 +99,12 @@ InitialState tabulated(Charge const& charge) {
 GridRegion charge_region(Charge const& charge) {
   InitialState const wave = tabulated(charge);
   return {.kind = "charge",
-          .distance = [c = charge.centre, r = charge.radius](Vec3 const& x) { return length(x - c) - r; },
+          .distance =
+              [c = charge.centre, r = charge.radius, holes = charge.obstacles](Vec3 const& x) {
+                double most = length(x - c) - r;
+                for (Obstacle const& hole : holes) most = std::max(most, -hole(x));
+                return most;
+              },
           .state =
               [wave, centre = charge.centre](Vec3 const& x) {
                 Vec3 const from = x - centre;
@@ -119,6 +122,29 @@ GridRegion charge_region(Charge const& charge) {
 }
 
 }  // namespace
+
+Distance distance_to_box(std::vector<std::array<double, 2>> const& extent) {
+  return [extent](Vec3 const& x) {
+    double most = -1e300;
+    for (std::size_t d = 0; d < extent.size(); ++d) {
+      most = std::max({most, extent[d][0] - x[d], x[d] - extent[d][1]});
+    }
+    return most;
+  };
+}
+
+Distance read_shape(Section const& any, int dimensions) {
+  Shape const& shape = shape_of(any);
+  GridRegion region{.kind = shape.name, .section = any.reopened(shape.keys)};
+  shape.set(region, region.section, dimensions);
+  return region.distance;
+}
+
+std::vector<std::string> shape_keys() {
+  std::vector<std::string> keys;
+  for (Shape const& shape : shapes) keys.insert(keys.end(), shape.keys.begin(), shape.keys.end());
+  return keys;
+}
 
 GasPoint read_point_state(Section const& section, AnyEos const& eos, int dimensions) {
   GasPoint state;
@@ -155,11 +181,7 @@ GridRegions read_regions(Section const& root, AnyEos const& eos, int dimensions)
   if (length(outer.u) == 0) {
     out.list[0].radial = [outer](double) { return GasState<>{outer.rho, 0, outer.p}; };
   }
-  std::vector<std::string> keys;
-  for (Shape const& shape : shapes) {
-    keys.insert(keys.end(), shape.keys.begin(), shape.keys.end());
-  }
-  for (Section const& section : root.tables("region", with_state_keys(keys))) {
+  for (Section const& section : root.tables("region", with_state_keys(shape_keys()))) {
     out.list.push_back(read_region(section, eos, dimensions));
   }
   Symmetry const symmetry = dimensions == 3 ? Symmetry::spherical : Symmetry::cylindrical;

@@ -18,15 +18,23 @@ std::array<GridBoundary, 6> read_sides(Section const& domain, AnyEos const& eos,
 std::vector<BoundaryPatch> read_patches(Section const& domain, AnyEos const& eos, GridBox const& box);
 /// [[block]]: boxes rounded to whole cells.
 std::vector<SolidBlock> read_blocks(Section const& root, GridBox const& box);
+double distance_to_block(SolidBlock const& block, GridBox const& box, Vec3 const& x);
+
+/// Distance to a surface, no more than the true one; < 0 inside.
+using Distance = std::function<double(Vec3 const&)>;
+Distance distance_to_box(std::vector<std::array<double, 2>> const& extent);
+/// shape = "sphere", ... with its keys; and those of all shapes.
+Distance read_shape(Section const& any, int dimensions);
+std::vector<std::string> shape_keys();
 
 /// Part of space with a state of its own.
 struct GridRegion {
-  std::string kind;                               ///< "ambient", "box", "sphere", "charge", ...
-  std::function<double(Vec3 const&)> distance{};  ///< to its surface, no more than the true one; < 0 inside
-  std::function<GasPoint(Vec3 const&)> state{};   ///< inside
-  bool uniform = true;                            ///< the state is the same everywhere
-  bool whole_cells = false;                       ///< a cell is of it wholly or not at all, by its centre
-  Vec3 centre{0, 0, 0};                           ///< of a sphere
+  std::string kind;  ///< "ambient", "box", "sphere", "charge", ...
+  Distance distance{};
+  std::function<GasPoint(Vec3 const&)> state{};  ///< inside
+  bool uniform = true;                           ///< the state is the same everywhere
+  bool whole_cells = false;                      ///< a cell is of it wholly or not at all, by its centre
+  Vec3 centre{0, 0, 0};                          ///< of a sphere
   double radius = 0;
   InitialState radial{};  ///< of a sphere: the state over the distance to its centre
   Section section;
@@ -37,6 +45,11 @@ struct GridRegions {
 };
 /// [ambient], [[region]] and [[charge]].
 GridRegions read_regions(Section const& root, AnyEos const& eos, int dimensions);
+/// obstacle = [{ shape = ... }, ...] of a charge.
+std::vector<Obstacle> read_obstacles(Section const& charge, double radius, int dimensions);
+/// The burn of a charge. The front goes around its obstacles and the grid's blocks.
+ProgrammedBurn burn_around(Charge const& charge, GasGridSetup const& grid);
+
 /// Cell averages: cells that a surface may cut by their mean over 8^3 (16^2) points, those whose state
 /// varies over 4^3 (4^2).
 GridInitial make_initial(std::vector<GridRegion> regions, AnyEos const& eos, int dimensions);

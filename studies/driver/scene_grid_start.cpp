@@ -25,10 +25,10 @@ Vec3 common_centre(Section const& section, std::vector<GridRegion> const& region
   }
   for (GridRegion const& region : regions) {
     if (!region.radial) {
-      throw refuse(region.section.path() + (region.kind == "charge" ? " is not lit at its center alone"
-                                            : region.kind == "sphere" || region.kind == "ambient"
-                                                ? " moves"
-                                                : fmt::format(" is a {}", region.kind)));
+      throw refuse(region.section.path() +
+                   (region.kind == "charge" ? " is not lit at its center alone, or has obstacles"
+                    : region.kind == "sphere" || region.kind == "ambient" ? " moves"
+                                                                          : fmt::format(" is a {}", region.kind)));
     }
     if (&region != &regions[0] && region.kind != "sphere" && region.kind != "charge") {
       throw refuse(fmt::format("{} is a {}", region.section.path(), region.kind));
@@ -38,17 +38,6 @@ Vec3 common_centre(Section const& section, std::vector<GridRegion> const& region
     }
   }
   return regions[1].centre;
-}
-
-double distance_to_block(SolidBlock const& block, GridBox const& box, Vec3 const& x) {
-  double squared = 0;
-  for (std::size_t d = 0; d < static_cast<std::size_t>(dimensions_of(box)); ++d) {
-    double const h = (box.upper[d] - box.lower[d]) / box.cells[d];
-    double const low = box.lower[d] + h * block.first[d], high = box.lower[d] + h * block.last[d];
-    double const gap = std::max({0.0, low - x[d], x[d] - high});
-    squared += gap * gap;
-  }
-  return std::sqrt(squared);
 }
 
 /// Distance to the nearest body; bodies wait at rest for the wave.

@@ -1,5 +1,6 @@
 #pragma once
 /// The parts of a scene, each read by one function from its section. All throw InputError.
+#include "scheme/step/lighting_times.hpp"
 #include "studies/driver/scene.hpp"
 #include "studies/driver/section.hpp"
 
@@ -27,11 +28,13 @@ GasBoundary read_boundary(Section const& domain, std::string const& side, AnyEos
 
 /// A charge: burnt, as the detonation wave from its centre reaches its surface, or unburnt at time 0, when it is lit.
 struct Charge {
-  double radius = 0, begin = 0;  ///< m, s since ignition
-  Vec3 centre{0, 0, 0};          ///< m; on a grid
-  InitialState state;            ///< at `begin`, over the distance to the centre
-  ProgrammedBurn burn{};         ///< of an unburnt one
-  bool central = true;           ///< lit at its centre alone
+  double radius = 0, begin = 0;       ///< m, s since ignition
+  Vec3 centre{0, 0, 0};               ///< m; on a grid
+  InitialState state;                 ///< at `begin`, over the distance to the centre
+  ProgrammedBurn burn{};              ///< of an unburnt one
+  std::vector<Vec3> ignition{};       ///< points where an unburnt one is lit [m]
+  std::vector<Obstacle> obstacles{};  ///< shapes in it without explosive
+  bool central = true;                ///< lit at its centre alone, and without obstacles
   Section section;
 };
 /// `dimensions` of the mesh: on a grid of 2 or 3 a charge has a `center`.

@@ -225,7 +225,7 @@ std::vector<SceneRun> read_grid_runs(Section const& root, SceneRun run) {
   GridRegions const regions = read_regions(root, grid.setup.eos, dimensions);
   check_regions(regions, box);
   if (regions.charge) {
-    run.start = regions.charge->begin, grid.setup.burn = regions.charge->burn;
+    run.start = regions.charge->begin, grid.setup.burn = burn_around(*regions.charge, grid.setup);
   }
   Section const time = read_time(root, run);
   std::optional<double> const cfl = read_cfl(time, "cfl", 1);

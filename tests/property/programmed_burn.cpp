@@ -1,7 +1,9 @@
 /// Programmed burn: what it releases, and that neither tiles nor skipping change it.
+#include <algorithm>
 #include <cmath>
 
 #include "scheme/step/gas_grid.hpp"
+#include "scheme/step/lighting_times.hpp"
 #include "tests/catch.hpp"
 
 using namespace g27;
@@ -58,6 +60,43 @@ TEST_CASE("tiles, threads and skipping do not change a burn", "[burn]") {
     double const end = 5e-6;  // the front has left the charge, and products expand
     while (grid.time() < end) REQUIRE(grid.step(end).status == StepStatus::ok);
     CHECK(std::fabs(grid.ledger().energy.residual()) < 1e-14);
+    return grid.field(GasGrid::Field::pressure);
+  };
+  auto const whole = run({20, 20, 20}, 1, false);
+  CHECK(run({5, 5, 5}, 2, true) == whole);
+  CHECK(run({8, 4, 20}, 1, true) == whole);
+}
+
+TEST_CASE("around a block a charge burns to its end, whatever tiles, threads and skipping are", "[burn]") {
+  // explosive fills a closed vessel, beside a block
+  LightingSetup lighting{.upper = {0.05, 0.05, 0.05},
+                         .cells = {20, 20, 20},
+                         .last = {20, 20, 20},
+                         .explosive = [](Vec3 const&) { return true; },
+                         .obstacles = {[](Vec3 const& x) {
+                           return std::max({0.0125 - x[0], x[0] - 0.025, x[1] - 0.0375, x[2] - 0.0375});
+                         }},
+                         .ignition = {{0.005, 0.005, 0.005}},
+                         .speed = D};
+  LightingTimes const times(lighting);
+  double const last = *std::max_element(times.all().begin(), times.all().end());
+  double const straight = std::hypot(0.04, 0.04, 0.04) / D;
+  CHECK(last > straight);
+  double const end = last + 0.0025 / D;  // the front has crossed its cell
+  auto const run = [&](Int3 tile, int threads, bool skip) {
+    GasGridSetup setup{.eos = products, .lower = {0, 0, 0}, .upper = {0.05, 0.05, 0.05}, .cells = {20, 20, 20}};
+    for (GridBoundary& side : setup.sides) side.kind = GridBoundary::Kind::wall;
+    setup.blocks = {{{5, 0, 0}, {10, 15, 15}}};
+    setup.burn = {.energy = q, .speed = D, .lighting = [&](Vec3 const& x) { return times(x); }};
+    setup.options.tile = tile, setup.options.threads = threads, setup.options.skip = skip;
+    setup.options.cells_per_thread = 1;
+    GasGrid grid(setup);
+    grid.set_averages([&](Vec3 const&, Vec3 const&) { return explosive(); });
+    while (grid.time() < end) REQUIRE(grid.step(end).status == StepStatus::ok);
+    GridLedger const ledger = grid.ledger();
+    CHECK(std::fabs(ledger.energy.residual()) < 1e-14);
+    // sums over some hundred steps
+    CHECK(ledger.energy.from_source == Approx(q * ledger.mass.initial).epsilon(1e-12));
     return grid.field(GasGrid::Field::pressure);
   };
   auto const whole = run({20, 20, 20}, 1, false);

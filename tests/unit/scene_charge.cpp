@@ -1,6 +1,7 @@
 /// A charge that is lit, in scenes.
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -9,8 +10,9 @@
 #include "studies/driver/input_error.hpp"
 #include "studies/driver/scene_reader.hpp"
 #include "studies/driver/simulate.hpp"
-#include "tests/catch.hpp"
 #include "tests/reference_table.hpp"
+#include "tests/run_in_pieces.hpp"
+#include "verification/exact/kenamond.hpp"
 
 namespace fs = std::filesystem;
 
@@ -133,6 +135,123 @@ TEST_CASE("lighting times are those of Kenamond's problem, from one point and fr
     g27::Vec3 const x{0.01 + unit * row[0], unit * row[1], 0};
     double const from_first = std::hypot(x[0], x[1]) / unit;
     CHECK(std::fabs(two.lighting(x) * two.speed / unit - std::min(row[2], from_first)) <= 1e-8);
+  }
+}
+
+TEST_CASE("a front goes around obstacles and blocks of its charge", "[scene][charge]") {
+  Folder const folder;
+  std::string const lit =
+      "center = [\"0 cm\", \"0 cm\", \"0 cm\"]\nstart = \"ignition\"\n"
+      "ignition = [[\"0.3 cm\", \"0.2 cm\", \"0.1 cm\"]]\n";
+  std::string const ball =
+      "obstacle = [{ shape = \"sphere\", center = [\"2.2 cm\", \"1.4 cm\", \"1.2 cm\"], radius = \"1 cm\" }]\n";
+  auto const read = [&](std::string const& more) { return *folder.scene(grid + material + lit + more).runs[0].grid; };
+  auto const each = [](g27::GridRun const& run, auto const& f) {
+    double const h = 0.005;
+    for (int k = 0; k < 16; ++k) {
+      for (int j = 0; j < 16; ++j) {
+        for (int i = 0; i < 16; ++i) {
+          g27::Vec3 const x{(i + 0.5) * h, (j + 0.5) * h, (k + 0.5) * h};
+          f(x, run.setup.burn.lighting(x), run.initial(x, {h, h, h}).mass);
+        }
+      }
+    }
+  };
+  g27::GridRun const free = read(""), around = read(ball);
+  g27::Kenamond const exact{.speed = free.setup.burn.speed,
+                            .radius = 0.01,
+                            .centre = {0.022, 0.014, 0.012},
+                            .ignition = {0.003, 0.002, 0.001}};
+  int behind = 0, inert = 0;
+  each(around, [&](g27::Vec3 const& x, double lit_at, double mass) {
+    bool const inside = std::hypot(x[0] - 0.022, x[1] - 0.014, x[2] - 0.012) < 0.01;
+    double const straight = free.setup.burn.lighting(x);
+    // what has no time is no explosive, and holds what lies beneath
+    bool const explosive = !inside && straight >= 0;
+    CHECK((lit_at >= 0) == explosive);
+    CHECK(mass == Approx(explosive ? density : 1.2));
+    inert += inside ? 1 : 0;
+    if (!explosive) return;
+    if (exact.arc(x) <= 0) CHECK(lit_at == straight);  // bit by bit
+    if (exact.arc(x) > 0) ++behind;
+    // a sphere of two cells a radius: times are late by up to a quarter of a cell
+    CHECK(lit_at * exact.speed >= exact.time(x) * exact.speed - 1e-9);
+    CHECK(lit_at * exact.speed <= exact.time(x) * exact.speed + 0.25 * 0.005);
+  });
+  CHECK(inert > 25);
+  CHECK(behind > 40);
+
+  // a rigid block, and the same box without explosive
+  std::string const extent = "extent = [[\"2 cm\", \"4 cm\"], [\"0 cm\", \"2 cm\"], [\"0 cm\", \"2 cm\"]]";
+  g27::GridRun const block = read("[[block]]\n" + extent + "\n");
+  g27::GridRun const hole = read("obstacle = [{ shape = \"box\", " + extent + " }]\n");
+  int delayed = 0;
+  each(block, [&](g27::Vec3 const& x, double lit_at, double) {
+    CHECK(lit_at == hole.setup.burn.lighting(x));
+    bool const inside = x[0] > 0.02 && x[0] < 0.04 && x[1] < 0.02 && x[2] < 0.02;
+    CHECK((lit_at >= 0) == (!inside && free.setup.burn.lighting(x) >= 0));
+    delayed += lit_at > free.setup.burn.lighting(x) ? 1 : 0;
+  });
+  CHECK(delayed > 30);
+  // a block beside the charge leaves its times alone
+  g27::GridRun const beside =
+      read("[[block]]\nextent = [[\"6 cm\", \"8 cm\"], [\"0 cm\", \"2 cm\"], [\"0 cm\", \"2 cm\"]]\n");
+  CHECK(beside.setup.burn.lighting({0.04, 0.02, 0.01}) == free.setup.burn.lighting({0.04, 0.02, 0.01}));
+}
+
+TEST_CASE("fronts that obstacles leave no way are refused with key and remedy", "[scene][charge]") {
+  Folder const folder;
+  std::string const centre = "center = [\"0 cm\", \"0 cm\", \"0 cm\"]\n", lit = centre + "start = \"ignition\"\n";
+  auto const block = [](std::string const& x, std::string const& y) {
+    return "[[block]]\nextent = [" + x + ", " + y + ", [\"0 cm\", \"8 cm\"]]\n";
+  };
+  std::string const corner = block("[\"0 cm\", \"2 cm\"]", "[\"0 cm\", \"2 cm\"]");
+  struct Mistake {
+    std::string text, key, what, remedy;
+  };
+  // clang-format off
+  std::vector<Mistake> const mistakes{
+      {lit + corner, "charge.0.ignition", "in block.0", "in no block or obstacle"},
+      {lit + "obstacle = [{ shape = \"sphere\", center = [\"0 cm\", \"0 cm\", \"1 cm\"], radius = \"1.1 cm\" }]\n", "charge.0.ignition", "in charge.0.obstacle.0", "in no block or obstacle"},
+      {lit + "ignition = [[\"-1 cm\", \"0 cm\", \"0 cm\"]]\n" + corner, "charge.0.ignition", "outside the domain", "in the domain"},
+      {lit + block("[\"2 cm\", \"4 cm\"]", "[\"0 cm\", \"8 cm\"]"), "charge.0.ignition", "without a way", "light every part"},
+      {centre + corner, "charge.0.radius", "reaches into block.0", "start = \"ignition\""},
+      {centre + "obstacle = []\n", "charge.0.obstacle", "unknown key", "radius"},
+      {lit + "obstacle = [{ shape = \"ball\" }]\n", "charge.0.obstacle.0.shape", "'ball'", "sphere"},
+      {lit + "obstacle = [{ shape = \"half-space\", point = [\"2 cm\", \"0 cm\", \"0 cm\"], normal = [-1, 0, 0], density = \"1 kg/m3\" }]\n", "charge.0.obstacle.0.density", "unknown key", "normal"},
+      {lit + "obstacle = [{ shape = \"sphere\", center = [\"2 cm\", \"2 cm\", \"2 cm\"], radius = \"1 cm\" }]\n[start]\none_dimensional_radius = \"7 cm\"\n", "start", "has obstacles", "remove [start]"},
+  };
+  // clang-format on
+  for (Mistake const& m : mistakes) {
+    INFO(m.text);
+    try {
+      (void)folder.scene(grid + material + m.text);
+      FAIL_CHECK("was accepted");
+    } catch (g27::InputError const& error) {
+      INFO(error.what());
+      CHECK(error.file.find((folder.path / "s.toml").string() + ":") == 0);  // with a line
+      CHECK(error.key == m.key);
+      CHECK(error.problem.find(m.what) != std::string::npos);
+      CHECK(error.remedy.find(m.remedy) != std::string::npos);
+    }
+  }
+}
+
+TEST_CASE("a burn around a block goes on bit by bit after an interruption", "[scene][charge]") {
+  Folder const folder;
+  g27::Scene const scene = folder.scene(grid + material +
+                                        "center = [\"0 cm\", \"0 cm\", \"0 cm\"]\nstart = \"ignition\"\n"
+                                        "[[block]]\nextent = [[\"2 cm\", \"4 cm\"], [\"0 cm\", \"2 cm\"], [\"0 cm\", "
+                                        "\"2 cm\"]]\n");
+  fs::path const a = folder.path / "a.h5", b = folder.path / "b.h5";
+  (void)run_in_pieces(scene, a, 0);
+  (void)run_in_pieces(scene, b, 5);
+  g27::Hdf5Reader const whole(a), pieces(b);
+  auto const p = whole.read("/state/0001/pressure");
+  CHECK(*std::max_element(p.begin(), p.end()) > 1e9);  // it burns
+  for (char const* field : {"density", "velocity_x", "velocity_y", "velocity_z", "pressure"}) {
+    INFO(field);
+    CHECK(whole.read(std::string("/state/0001/") + field) == pieces.read(std::string("/state/0001/") + field));
   }
 }
 
