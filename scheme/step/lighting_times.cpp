@@ -25,22 +25,21 @@ Vec3 between(Vec3 const& a, Vec3 const& b, double part) {
 }
 
 /// Where rays start: a point of ignition, or a bend.
-struct Origin {
-  Vec3 x{};
-  double time = 0;
-};
+using Origin = IgnitionPoint;
 
 class Marching {
  public:
   explicit Marching(LightingSetup const& setup)
-      : s_(setup), h_(cell_widths(s_.lower, s_.upper, s_.cells)), swept_(swept_axes(s_.cells)) {
+      : s_(setup),
+        origins_(setup.ignition),
+        h_(cell_widths(s_.lower, s_.upper, s_.cells)),
+        swept_(swept_axes(s_.cells)) {
     double width = 1e300;
     for (std::size_t a = 0; a < 3; ++a) {
       size_[a] = s_.last[a] - s_.first[a];
       if (swept_[a]) width = std::min(width, h_[a]);
     }
     slip_ = slip * width, worth_ = worth * width / s_.speed;
-    for (Vec3 const& x : s_.ignition) origins_.push_back({x, 0});
   }
 
   std::vector<double> times() {
@@ -178,12 +177,12 @@ class Marching {
   using Entry = std::pair<double, Int3>;
 
   LightingSetup const& s_;
+  std::vector<Origin> origins_;
   Vec3 h_;
   std::array<bool, 3> swept_;
   Int3 size_{1, 1, 1};
   double slip_ = 0, worth_ = 0;  ///< [m], [s]
-  std::vector<Origin> origins_;
-  std::vector<int> from_;  ///< origin of the ray that lights a cell, -1: none
+  std::vector<int> from_;        ///< origin of the ray that lights a cell, -1: none
   std::vector<double> time_;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;  ///< the soonest first
 };

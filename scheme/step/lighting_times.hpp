@@ -23,6 +23,11 @@ namespace g27 {
 /// have to overlap, or rays pass between them.
 using Obstacle = std::function<double(Vec3 const& x)>;
 
+struct IgnitionPoint {
+  Vec3 x{0, 0, 0};  ///< [m]
+  double time = 0;  ///< when it is lit, unless a front comes sooner [s]
+};
+
 struct LightingSetup {
   Vec3 lower{0, 0, 0}, upper{1, 1, 1};  ///< corners of the grid's box [m]
   Int3 cells{1, 1, 1};                  ///< of the grid; 1 along z: two dimensions
@@ -31,15 +36,15 @@ struct LightingSetup {
   /// keep of themselves.
   std::function<bool(Vec3 const& x)> explosive{};
   std::vector<Obstacle> obstacles{};
-  std::vector<Vec3> ignition{};  ///< within the explosive
-  double speed = 0;              ///< of the front [m/s]
+  std::vector<IgnitionPoint> ignition{};  ///< within the explosive
+  double speed = 0;                       ///< of the front [m/s]
 };
 
 class LightingTimes {
  public:
   explicit LightingTimes(LightingSetup const& setup);
 
-  /// Time since ignition [s] of the cell that x lies in, or that is its mirror image at the side of the box;
+  /// Time [s] of the cell that x lies in, or that is its mirror image at the side of the box;
   /// `ProgrammedBurn::no_explosive` where there is none, as in obstacles, and infinity where no way leads.
   [[nodiscard]] double operator()(Vec3 const& x) const;
   /// Of the cells [first, last), x fastest.

@@ -22,7 +22,7 @@ std::vector<std::string> charge_keys(int dimensions, bool lit) {
   std::vector<std::string> keys{"material", "radius", "density", "energy", "start"};
   if (dimensions > 1) keys.push_back("center");
   if (lit) keys.push_back("pressure");
-  if (lit && dimensions > 1) keys.insert(keys.end(), {"ignition", "obstacle"});
+  if (lit && dimensions > 1) keys.insert(keys.end(), {"ignition", "delay", "obstacle"});
   return keys;
 }
 
@@ -40,18 +40,28 @@ ExactEos exact_law(AnyEos const& eos) {
   throw std::invalid_argument(fmt::format("products of detonation cannot be '{}'", name));
 }
 
-/// Points where a charge is lit; its centre alone, unless told.
-std::vector<Vec3> read_ignition(Section const& section, Charge const& charge, int dimensions) {
-  if (!section.has("ignition")) {
-    return {charge.centre};
+/// Where a charge is lit; at its centre alone, unless told, and at once.
+std::vector<IgnitionPoint> read_ignition(Section const& section, Charge const& charge, int dimensions) {
+  std::vector<IgnitionPoint> points{{charge.centre}};
+  if (section.has("ignition")) {
+    points.clear();
+    for (Vec3 const& x : section.points("ignition", dimension::length, dimensions)) points.push_back({x});
   }
-  std::vector<Vec3> const points = section.points("ignition", dimension::length, dimensions);
-  for (Vec3 const& x : points) {
+  for (auto const& [x, time] : points) {
     if (length(x - charge.centre) > charge.radius) {
       throw section.error("ignition", fmt::format("({:g}, {:g}, {:g}) m lies outside the charge", x[0], x[1], x[2]),
                           "choose points within the radius from the center");
     }
   }
+  if (!section.has("delay")) {
+    return points;
+  }
+  std::vector<double> const delays = section.quantities("delay", dimension::time);
+  if (delays.size() != points.size() || std::any_of(delays.begin(), delays.end(), [](double t) { return t < 0; })) {
+    throw section.error("delay", fmt::format("is not {} times from 0 on", points.size()),
+                        "give one for each point of ignition, in their order");
+  }
+  for (std::size_t n = 0; n < points.size(); ++n) points[n].time = delays[n];
   return points;
 }
 
@@ -67,16 +77,17 @@ void light(Charge& charge, AnyEos const& eos, double density, double energy, dou
     throw section.error("energy", fmt::format("is not above the {:g} J/m3 of the unburnt explosive", thermal),
                         "check density, energy and the equation of state");
   }
-  charge.central = charge.ignition == std::vector<Vec3>{charge.centre} && charge.obstacles.empty();
+  charge.central = charge.ignition.size() == 1 && charge.ignition[0].x == charge.centre &&
+                   charge.ignition[0].time == 0 && charge.obstacles.empty();
   charge.state = [rest](double) { return rest; };
   charge.burn = {
       .energy = (energy - thermal) / density,
       .speed = speed,
       .lighting = [=, points = charge.ignition, centre = charge.centre, radius = charge.radius](Vec3 const& x) {
         if (length(x - centre) > radius) return ProgrammedBurn::no_explosive;
-        double nearest = 1e300;
-        for (Vec3 const& from : points) nearest = std::min(nearest, length(x - from));
-        return nearest / speed;
+        double first = 1e300;
+        for (auto const& [from, time] : points) first = std::min(first, time + length(x - from) / speed);
+        return first;
       }};
 }
 

@@ -26,7 +26,7 @@ Vec3 common_centre(Section const& section, std::vector<GridRegion> const& region
   for (GridRegion const& region : regions) {
     if (!region.radial) {
       throw refuse(region.section.path() +
-                   (region.kind == "charge" ? " is not lit at its center alone, or has obstacles"
+                   (region.kind == "charge" ? " is not lit at its center alone and at once, or has obstacles"
                     : region.kind == "sphere" || region.kind == "ambient" ? " moves"
                                                                           : fmt::format(" is a {}", region.kind)));
     }

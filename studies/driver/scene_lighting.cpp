@@ -43,7 +43,7 @@ std::vector<NamedObstacle> obstacles_of(Charge const& charge, GasGridSetup const
 void check_ignition(Charge const& charge, std::vector<NamedObstacle> const& obstacles, GridBox const& box) {
   Distance const domain =
       distance_to_box({{box.lower[0], box.upper[0]}, {box.lower[1], box.upper[1]}, {box.lower[2], box.upper[2]}});
-  for (Vec3 const& x : charge.ignition) {
+  for (auto const& [x, time] : charge.ignition) {
     auto const refuse = [&](std::string const& where) {
       return charge.section.error("ignition", fmt::format("({:g}, {:g}, {:g}) m lies {}", x[0], x[1], x[2], where),
                                   "give points of the charge that are in the domain, and in no block or obstacle");

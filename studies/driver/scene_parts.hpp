@@ -28,13 +28,13 @@ GasBoundary read_boundary(Section const& domain, std::string const& side, AnyEos
 
 /// A charge: burnt, as the detonation wave from its centre reaches its surface, or unburnt at time 0, when it is lit.
 struct Charge {
-  double radius = 0, begin = 0;       ///< m, s since ignition
-  Vec3 centre{0, 0, 0};               ///< m; on a grid
-  InitialState state;                 ///< at `begin`, over the distance to the centre
-  ProgrammedBurn burn{};              ///< of an unburnt one
-  std::vector<Vec3> ignition{};       ///< points where an unburnt one is lit [m]
-  std::vector<Obstacle> obstacles{};  ///< shapes in it without explosive
-  bool central = true;                ///< lit at its centre alone, and without obstacles
+  double radius = 0, begin = 0;           ///< m, s since ignition
+  Vec3 centre{0, 0, 0};                   ///< m; on a grid
+  InitialState state;                     ///< at `begin`, over the distance to the centre
+  ProgrammedBurn burn{};                  ///< of an unburnt one
+  std::vector<IgnitionPoint> ignition{};  ///< where an unburnt one is lit
+  std::vector<Obstacle> obstacles{};      ///< shapes in it without explosive
+  bool central = true;                    ///< lit at its centre alone, and without obstacles
   Section section;
 };
 /// `dimensions` of the mesh: on a grid of 2 or 3 a charge has a `center`.

@@ -27,7 +27,7 @@ Errors errors(int n, int dimensions, Obstacle const& obstacle, Vec3 const& ignit
   if (dimensions == 2) setup.lower[2] = 0;
   setup.last = setup.cells;
   setup.explosive = [](Vec3 const&) { return true; };
-  setup.obstacles = {obstacle}, setup.ignition = {ignition}, setup.speed = 3.0;
+  setup.obstacles = {obstacle}, setup.ignition = {{ignition}}, setup.speed = 3.0;
   LightingTimes const times(setup);
   Vec3 const h = cell_widths(setup.lower, setup.upper, setup.cells);
   Errors out{.least = 1e300};

@@ -26,7 +26,7 @@ Obstacle ball(Vec3 const& c, double r) {
 }
 
 /// A ball of explosive of radius 1 in a box of 24 x 24 x 20 cells.
-LightingSetup charge(std::vector<Obstacle> obstacles, std::vector<Vec3> ignition) {
+LightingSetup charge(std::vector<Obstacle> obstacles, std::vector<IgnitionPoint> ignition) {
   return {.lower = {-1.2, -1.2, -1},
           .upper = {1.2, 1.2, 1},
           .cells = {24, 24, 20},
@@ -72,13 +72,13 @@ Vec3 const corner{-0.6, -0.5, 0.2};
 }  // namespace
 
 TEST_CASE("without obstacles lighting times are straight, bit by bit", "[lighting]") {
-  std::vector<Vec3> const points{corner, {0.3, 0.2, -0.4}};
+  std::vector<IgnitionPoint> const points{{corner, 0}, {{0.3, 0.2, -0.4}, 0.05}};
   LightingSetup const setup = charge({}, points);
   LightingTimes const times(setup);
   int lit = 0;
   each_centre(setup, [&](Vec3 const& x) {
-    double const expected =
-        way({0, 0, 0}, x) <= 1 ? std::min(way(points[0], x) / D, way(points[1], x) / D) : ProgrammedBurn::no_explosive;
+    double const expected = way({0, 0, 0}, x) <= 1 ? std::min(way(points[0].x, x) / D, 0.05 + way(points[1].x, x) / D)
+                                                   : ProgrammedBurn::no_explosive;
     // the cells [first, last) hold the ball but for its poles along y
     bool const part = std::fabs(x[1]) < 1;
     CHECK(times(x) == (part ? expected : ProgrammedBurn::no_explosive));
@@ -89,9 +89,9 @@ TEST_CASE("without obstacles lighting times are straight, bit by bit", "[lightin
 
 TEST_CASE("obstacles delay a front, and of several the soonest counts", "[lighting]") {
   Vec3 const other{0.5, -0.5, 0.5};
-  LightingSetup const setup = charge(three, {corner});
-  LightingTimes const free(charge({}, {corner})), one(setup), second(charge(three, {other})),
-      both(charge(three, {corner, other}));
+  LightingSetup const setup = charge(three, {{corner}});
+  LightingTimes const free(charge({}, {{corner}})), one(setup), second(charge(three, {{other, 0.03}})),
+      both(charge(three, {{corner}, {other, 0.03}}));
   int delayed = 0, none = 0;
   Gap gap;
   each_centre(setup, [&](Vec3 const& x) {
@@ -112,7 +112,7 @@ TEST_CASE("obstacles delay a front, and of several the soonest counts", "[lighti
 }
 
 TEST_CASE("a front does not take longer from a cell to the next than the way between them", "[lighting]") {
-  LightingSetup const setup = charge(three, {corner});
+  LightingSetup const setup = charge(three, {{corner}});
   LightingTimes const times(setup);
   Vec3 const h = cell_widths(setup.lower, setup.upper, setup.cells);
   int pairs = 0;
@@ -138,8 +138,8 @@ TEST_CASE("lighting times of a mirror image are the mirror image", "[lighting]")
     };
     std::vector<Obstacle> images;
     for (Obstacle const& o : three) images.push_back([=](Vec3 const& x) { return o(mirrored(x)); });
-    LightingSetup const setup = charge(three, {corner});
-    LightingSetup image = charge(images, {mirrored(corner)});
+    LightingSetup const setup = charge(three, {{corner}});
+    LightingSetup image = charge(images, {{mirrored(corner)}});
     LightingTimes const times(setup), other(image);
     Gap gap;
     each_centre(setup, [&](Vec3 const& x) { gap.add(times(x), other(mirrored(x))); });
@@ -149,8 +149,8 @@ TEST_CASE("lighting times of a mirror image are the mirror image", "[lighting]")
 
 TEST_CASE("a half between planes of symmetry is lit as the whole", "[lighting]") {
   // a bar across the plane x = 0, lit on it
-  LightingSetup const setup = charge({box({-0.5, -0.1, -0.6}, {0.5, 0.2, 0.3})}, {{0, -0.6, 0.1}});
-  LightingSetup half = charge({box({0, -0.1, -0.6}, {0.5, 0.2, 0.3})}, {{0, -0.6, 0.1}});
+  LightingSetup const setup = charge({box({-0.5, -0.1, -0.6}, {0.5, 0.2, 0.3})}, {{{0, -0.6, 0.1}}});
+  LightingSetup half = charge({box({0, -0.1, -0.6}, {0.5, 0.2, 0.3})}, {{{0, -0.6, 0.1}}});
   half.lower[0] = 0, half.cells[0] = 12, half.first[0] = 0, half.last[0] = 12;
   LightingTimes const whole(setup), part(half);
   Gap gap;
@@ -164,7 +164,7 @@ TEST_CASE("no front passes between blocks that touch, and none comes to what the
   for (double const y : {-2.0, 0.0}) {
     for (double const z : {-2.0, 0.0}) wall.push_back(box({0, y, z}, {0.3, y + 2, z + 2}));
   }
-  LightingSetup const setup = charge(wall, {{-0.5, 0, 0}});
+  LightingSetup const setup = charge(wall, {{{-0.5, 0, 0}}});
   LightingTimes const times(setup);
   int dark = 0;
   each_centre(setup, [&](Vec3 const& x) {
@@ -175,8 +175,8 @@ TEST_CASE("no front passes between blocks that touch, and none comes to what the
   CHECK(dark > 800);
   // one box in two parts, with the ray to the part's edge along their common side
   LightingTimes const parts(
-      charge({box({-0.2, -0.5, -0.5}, {0.3, 0, 0.5}), box({-0.2, 0, -0.5}, {0.3, 0.4, 0.5})}, {{-0.6, 0, 0}})),
-      one(charge({box({-0.2, -0.5, -0.5}, {0.3, 0.4, 0.5})}, {{-0.6, 0, 0}}));
+      charge({box({-0.2, -0.5, -0.5}, {0.3, 0, 0.5}), box({-0.2, 0, -0.5}, {0.3, 0.4, 0.5})}, {{{-0.6, 0, 0}}})),
+      one(charge({box({-0.2, -0.5, -0.5}, {0.3, 0.4, 0.5})}, {{{-0.6, 0, 0}}}));
   Gap gap;
   each_centre(setup, [&](Vec3 const& x) { gap.add(parts(x), one(x)); });
   gap.check();

@@ -76,7 +76,7 @@ TEST_CASE("around a block a charge burns to its end, whatever tiles, threads and
                          .obstacles = {[](Vec3 const& x) {
                            return std::max({0.0125 - x[0], x[0] - 0.025, x[1] - 0.0375, x[2] - 0.0375});
                          }},
-                         .ignition = {{0.005, 0.005, 0.005}},
+                         .ignition = {{{0.005, 0.005, 0.005}}},
                          .speed = D};
   LightingTimes const times(lighting);
   double const last = *std::max_element(times.all().begin(), times.all().end());

@@ -126,7 +126,9 @@ TEST_CASE("lighting times are those of Kenamond's problem, from one point and fr
     return folder.scene(grid + material + centre + ignition).runs[0].grid->setup.burn;
   };
   auto const one = burn_of("");
-  auto const two = burn_of("ignition = [[\"0 cm\", \"0 cm\", \"0 cm\"], [\"1 cm\", \"0 cm\", \"0 cm\"]]\n");
+  std::string const points = "ignition = [[\"0 cm\", \"0 cm\", \"0 cm\"], [\"1 cm\", \"0 cm\", \"0 cm\"]]\n";
+  auto const two = burn_of(points), late = burn_of(points + "delay = [\"0 us\", \"1 us\"]\n");
+  double const delay = 1e-6 * one.speed / unit;
   for (auto const& row : table.rows) {
     // the table has ten digits
     double const at_origin = one.lighting({unit * row[0], unit * row[1], 0}) * one.speed / unit;
@@ -135,6 +137,7 @@ TEST_CASE("lighting times are those of Kenamond's problem, from one point and fr
     g27::Vec3 const x{0.01 + unit * row[0], unit * row[1], 0};
     double const from_first = std::hypot(x[0], x[1]) / unit;
     CHECK(std::fabs(two.lighting(x) * two.speed / unit - std::min(row[2], from_first)) <= 1e-8);
+    CHECK(std::fabs(late.lighting(x) * late.speed / unit - std::min(row[2] + delay, from_first)) <= 1e-8);
   }
 }
 
@@ -199,7 +202,7 @@ TEST_CASE("a front goes around obstacles and blocks of its charge", "[scene][cha
   CHECK(beside.setup.burn.lighting({0.04, 0.02, 0.01}) == free.setup.burn.lighting({0.04, 0.02, 0.01}));
 }
 
-TEST_CASE("fronts that obstacles leave no way are refused with key and remedy", "[scene][charge]") {
+TEST_CASE("fronts that cannot start or have no way are refused with key and remedy", "[scene][charge]") {
   Folder const folder;
   std::string const centre = "center = [\"0 cm\", \"0 cm\", \"0 cm\"]\n", lit = centre + "start = \"ignition\"\n";
   auto const block = [](std::string const& x, std::string const& y) {
@@ -220,6 +223,9 @@ TEST_CASE("fronts that obstacles leave no way are refused with key and remedy", 
       {lit + "obstacle = [{ shape = \"ball\" }]\n", "charge.0.obstacle.0.shape", "'ball'", "sphere"},
       {lit + "obstacle = [{ shape = \"half-space\", point = [\"2 cm\", \"0 cm\", \"0 cm\"], normal = [-1, 0, 0], density = \"1 kg/m3\" }]\n", "charge.0.obstacle.0.density", "unknown key", "normal"},
       {lit + "obstacle = [{ shape = \"sphere\", center = [\"2 cm\", \"2 cm\", \"2 cm\"], radius = \"1 cm\" }]\n[start]\none_dimensional_radius = \"7 cm\"\n", "start", "has obstacles", "remove [start]"},
+      {lit + "delay = [\"0 us\", \"1 us\"]\n", "charge.0.delay", "not 1 times", "one for each point"},
+      {lit + "delay = [\"-1 us\"]\n", "charge.0.delay", "from 0 on", "one for each point"},
+      {lit + "delay = [\"1 us\"]\n[start]\none_dimensional_radius = \"7 cm\"\n", "start", "at once", "remove [start]"},
   };
   // clang-format on
   for (Mistake const& m : mistakes) {
