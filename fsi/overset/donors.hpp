@@ -22,6 +22,7 @@ class Donors {
   Donors(CellKinds const& kinds, std::vector<Fields> const& states, Law const& law)
       : kinds_(kinds), states_(states), law_(law) {}
 
+  [[nodiscard]] Law const& law() const noexcept { return law_; }
   /// To be called when the states of cells have changed.
   void update(int threads);
   /// `dense`: many points of gas in a cell, so that those in one octant of it become one.

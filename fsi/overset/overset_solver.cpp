@@ -10,6 +10,7 @@
 #include "fsi/overset/asleep.hpp"
 #include "fsi/overset/clouds.hpp"
 #include "fsi/overset/fill.hpp"
+#include "fsi/overset/thin_gaps.hpp"
 #include "fsi/overset/thin_rims.hpp"
 #include "fsi/overset/untangle.hpp"
 
@@ -379,6 +380,10 @@ struct OversetSolver::Impl {
     if (trouble) std::rethrow_exception(trouble);
     classify();
     double const placed = seconds();
+#pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
+    for (std::size_t n = 0; n < bodies.size(); ++n) {
+      if (sleeping[n] == 0) tie_thin_gaps(*bodies[n], dt);
+    }
     read_states(false), set_clouds();
     int tied = 0;
 #pragma omp parallel for num_threads(threads) schedule(dynamic, 1) reduction(+ : tied)

@@ -28,7 +28,7 @@ std::vector<Row> rows() {
   return out;
 }
 
-constexpr int cells = 20, steps = 500;  ///< along the domain's edge: a cube's edge has 8
+constexpr int cells = 32, steps = 500;  ///< along the domain's edge: a cube's edge has 8
 constexpr double most = 1e-12;
 
 StudyReport run(StudyContext const& context) {

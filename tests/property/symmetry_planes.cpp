@@ -125,7 +125,7 @@ Difference difference(OversetSolver const& part, OversetSolver const& whole) {
 
 CaseResult drift(double body, double speed, double planes) {
   CaseOptions o;
-  o.cells = 16, o.threads = 2;
+  o.cells = 26, o.threads = 2;
   o.values = {{"body", body}, {"speed", speed}, {"planes", planes}, {"steps", 20}};
   return find_by_name(all_cases(), "freestream-bodies", "test").run(o);
 }
