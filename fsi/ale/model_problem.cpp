@@ -95,9 +95,18 @@ struct ModelProblems::Impl {
   }
 };
 
+namespace {
+
+ModelOptions known(ModelOptions options) {
+  if (options.predictor == Predictor::parabolic) options.predictor = Predictor::linear;
+  return options;
+}
+
+}  // namespace
+
 ModelProblems::ModelProblems(AnyEos const& gas, AnySolid const& solid, double gas_width, double solid_width,
                              ModelOptions options)
-    : impl_(new Impl{GasSide(gas, gas_width, options), SolidSide(solid, solid_width, options)}) {}
+    : impl_(new Impl{GasSide(gas, gas_width, known(options)), SolidSide(solid, solid_width, known(options))}) {}
 ModelProblems::~ModelProblems() = default;
 ModelProblems::ModelProblems(ModelProblems&&) noexcept = default;
 

@@ -47,7 +47,7 @@ class ModelProblems {
  public:
   static constexpr std::size_t lanes = 16;  ///< problems solved together
 
-  /// Widths of the cells of both sides [m]. The predictor is Godunov's or the linear one.
+  /// Widths of the cells of both sides [m]. Profiles are linear for the parabolic predictor as well.
   ModelProblems(AnyEos const& gas, AnySolid const& solid, double gas_width, double solid_width, ModelOptions options);
   ~ModelProblems();
   ModelProblems(ModelProblems&&) noexcept;

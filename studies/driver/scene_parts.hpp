@@ -53,7 +53,7 @@ std::vector<GridSchemeOptions> read_grid_schemes(Section const& root, double cfl
 /// [scheme] closure.
 bool read_closure(Section const& root);
 /// Bodies know the schemes of first and second order, and the sum rule for the time step.
-void check_schemes_of_bodies(Section const& root, GridSchemeOptions const& options);
+void check_schemes_of_bodies(Section const& root, GridSchemeOptions const& options, double body_cfl);
 
 /// Where probes may lie: the corners of the domain, in its first `dimensions` entries, and the names of the bodies.
 struct Extent {

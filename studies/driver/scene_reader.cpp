@@ -246,7 +246,7 @@ std::vector<SceneRun> read_grid_runs(Section const& root, SceneRun run) {
   std::vector<SceneRun> runs;
   if (!grid.bodies.empty()) grid.closure = read_closure(root);
   for (GridSchemeOptions options : read_grid_schemes(root, cfl.value_or(GasSchemeOptions{}.cfl), dimensions)) {
-    if (!grid.bodies.empty()) check_schemes_of_bodies(root, options);
+    if (!grid.bodies.empty()) check_schemes_of_bodies(root, options, grid.body_cfl);
     options.maps = run.output.repairs;
     grid.setup.options = options;
     if (grid.line) {

@@ -111,12 +111,14 @@ bool read_closure(Section const& root) {
   return root.table("scheme", every_key).flag("closure", false);
 }
 
-void check_schemes_of_bodies(Section const& root, GridSchemeOptions const& options) {
-  if (options.predictor != Predictor::godunov && options.predictor != Predictor::linear) {
-    throw root.error("scheme",
-                     fmt::format("asks for '{}', which bodies do not know",
-                                 predictor_names()[static_cast<std::size_t>(options.predictor)]),
-                     "choose order = 1 or 2");
+void check_schemes_of_bodies(Section const& root, GridSchemeOptions const& options, double body_cfl) {
+  if (options.predictor == Predictor::muscl) {
+    throw root.error("scheme", "asks for 'muscl', which bodies do not know", "choose order = 1, 2 or 3");
+  }
+  if (options.predictor == Predictor::parabolic && body_cfl > largest_parabolic_body_cfl) {
+    throw root.error(
+        "time", fmt::format("body_cfl is {:g}; that of order 3 is at most {:g}", body_cfl, largest_parabolic_body_cfl),
+        "lower body_cfl, or choose order = 1 or 2");
   }
   if (options.max_rule) {
     throw root.error("scheme", "asks for max_rule, which bodies do not know", "remove max_rule");

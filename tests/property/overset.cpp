@@ -205,7 +205,7 @@ TEST_CASE("a uniform stream carries bodies along and stays uniform") {
 namespace {
 
 /// A turned cube of steel of 6 cells an edge amid `cells` cells of a stream of gas of the same pressure and velocity.
-OversetSetup cube_in_stream(Vec3 const& u, double p, int cells = 26) {
+OversetSetup cube_in_stream(Vec3 const& u, double p, int cells = 16) {
   SolidMedium const steel = solid_medium("steel");
   double const h = 1.0 / cells, edge = 6 * h;
   OversetSetup s{.gas = gas_cube(IdealGas{1.4}, 1, cells), .bodies = {}};

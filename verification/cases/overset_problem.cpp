@@ -58,9 +58,7 @@ namespace {
 void apply(CaseOptions const& options, OversetSetup& s) {
   Predictor const predictor = options.predictor.value_or(Predictor::linear);
   Switch const monotonicity = options.monotonicity.value_or(Switch::graded);
-  if (predictor != Predictor::godunov && predictor != Predictor::linear) {
-    throw std::invalid_argument("bodies know the predictors of order 1 and 2");
-  }
+  if (predictor == Predictor::muscl) throw std::invalid_argument("bodies know the predictors of order 1, 2 and 3");
   s.gas.options.predictor = s.solid_options.predictor = s.local.predictor = predictor;
   s.gas.options.monotonicity = s.solid_options.monotonicity = s.local.monotonicity = monotonicity;
   s.gas.options.threads = s.solid_options.threads = options.threads.value_or(1);

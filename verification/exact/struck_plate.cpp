@@ -39,20 +39,24 @@ double meet(F const& pressure, double outgoing, double Z, double low, double hig
 
 }  // namespace
 
-StruckPlate::StruckPlate(Gas const& gas, Plate const& plate, double mach, double t_end) : p0_(gas.p) {
+StruckPlate::Front StruckPlate::behind_shock(Gas const& gas, double mach) {
   if (!(mach >= 1)) throw NumericsError("struck plate: the shock's Mach number is below 1");
   double const g = gas.gamma, c0 = std::sqrt(g * gas.p / gas.rho), m2 = mach * mach;
-  behind_.rho = gas.rho * (g + 1) * m2 / ((g - 1) * m2 + 2);
-  behind_.p = gas.p * (1 + 2 * g / (g + 1) * (m2 - 1));
-  behind_.u = 2 * c0 / (g + 1) * (mach - 1 / mach);
-  behind_.shock_speed = mach * c0;
+  return {.rho = gas.rho * (g + 1) * m2 / ((g - 1) * m2 + 2),
+          .u = 2 * c0 / (g + 1) * (mach - 1 / mach),
+          .p = gas.p * (1 + 2 * g / (g + 1) * (m2 - 1)),
+          .shock_speed = mach * c0};
+}
+
+StruckPlate::StruckPlate(Front const& in_front, Gas const& back, Plate const& plate, double t_end) : p0_(back.p) {
+  double const g = back.gamma;
   double const a = std::sqrt(plate.stiffness / plate.rho), Z = plate.rho * a;
   tau_ = plate.thickness / a;
-  State const still{gas.rho, 0, gas.p};
-  State front{behind_.rho, behind_.u, behind_.p};
-  double const bound = 10 * (behind_.u + c0);
+  State const still{back.rho, 0, back.p};
+  State front{in_front.rho, in_front.u, in_front.p};
+  double const bound = 10 * (front.u + std::sqrt(g * front.p / front.rho));
   // Riemann invariants of the plate, with s the compressive stress: s + Z u runs to the back, s - Z u to the front
-  double to_front = gas.p, to_back = gas.p;
+  double to_front = back.p, to_back = back.p;
   for (double t = 0; t < t_end + tau_; t += tau_) {
     Stage s{};
     bool const first = stages_.empty();

@@ -1,6 +1,6 @@
 #pragma once
-/// A plane shock in an ideal gas meets an elastic plate head on, gas of the state ahead behind it: exact by the method
-/// of characteristics for a plate of constant impedance.
+/// An elastic plate between ideal gases that a plane shock meets head on, or that the pressure of one of them drives:
+/// exact by the method of characteristics for a plate of constant impedance.
 ///
 /// Waves cross the plate in a time tau each; between their arrivals both faces move at constant speeds. At each face
 /// the characteristic that leaves the plate, sigma -+ Z u, meets the gas: at first a shock against a moving wall, then
@@ -18,13 +18,15 @@ class StruckPlate {
   struct Plate {
     double thickness = 1, rho = 1, stiffness = 1;  ///< [m], [kg/m^3], K + 4 mu/3 [Pa]
   };
-  /// `mach` of the shock; it meets the plate at time 0. Throws NumericsError for mach < 1.
-  StruckPlate(Gas const& gas, Plate const& plate, double mach, double t_end);
-
-  struct Behind {
+  /// Gas in front of the plate; `shock_speed` of the shock that brought it there, 0: at rest.
+  struct Front {
     double rho, u, p, shock_speed;
   };
-  [[nodiscard]] Behind const& behind() const { return behind_; }  ///< the incident shock
+  /// Behind a shock into this gas. Throws NumericsError for mach < 1.
+  static Front behind_shock(Gas const& gas, double mach);
+  /// The plate is at rest until time 0, under the pressure of the gas at its back.
+  StruckPlate(Front const& front, Gas const& back, Plate const& plate, double t_end);
+
   /// Front: 0, back: 1. Displacement [m], velocity [m/s] and pressure of the gas [Pa] there.
   [[nodiscard]] double displacement(int face, double t) const;
   [[nodiscard]] double velocity(int face, double t) const;
@@ -37,7 +39,6 @@ class StruckPlate {
     double u[2], p[2];
   };
   [[nodiscard]] std::size_t stage(double t) const;
-  Behind behind_{};
   double tau_ = 0, p0_ = 0;
   std::vector<Stage> stages_;
 };
