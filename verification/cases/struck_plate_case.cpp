@@ -129,7 +129,7 @@ Case struck_plate_case() {
       return mean;
     };
     problem.t_end = t_end;
-    problem.setup.solid_options.cfl = 1.3;  // as scenes may ask for of bodies: every predictor is stable
+    problem.setup.solid_options.cfl = fast_body_cfl;
     double const span = 3 * across * h, edge = 0.9 * hs;
     TriangleSurface surface =
         placed(make_box({1, spans ? span : width, span}, edge), {0, 0, 1}, angle, middle + 0.5 * normal);
