@@ -1,4 +1,4 @@
-/// [[body]]: deforming bodies in the gas.
+/// [[body]]: bodies in the gas.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -163,6 +163,13 @@ SceneBody read_body(Section const& root, Section const& section, GridBox const& 
   Vec3 const u = section.has("velocity") ? section.point("velocity", dimension::velocity, 3) : Vec3{0, 0, 0};
   Vec3 const spin = section.has("spin") ? section.point("spin", dimension::angular_velocity, 3) : Vec3{0, 0, 0};
   check_symmetric(section, body.cut, u, spin);
+  if (solid.rigid) {
+    if (section.has("pressure")) {
+      throw section.error("pressure", "is nothing that a rigid body has", "remove it, or choose another material");
+    }
+    setup.rigid = RigidSetup{.density = solid.density, .velocity = u, .spin = spin};
+    return body;
+  }
   double const pressure = section.has("pressure") ? section.quantity("pressure", dimension::pressure) : point(centre).p;
   SolidPoint const rest = solid_at_rest(solid, pressure);
   if (!(rest.rho > 0 &&
