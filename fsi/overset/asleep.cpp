@@ -24,6 +24,7 @@ bool at_rest(SolidFields const& q, double pressure, double close) noexcept {
 }  // namespace
 
 bool asleep(Body const& body) {
+  if (body.rigid && body.rigid->driven()) return false;
   double const eps = std::numeric_limits<double>::epsilon();
   GasFields const& gas = body.triangles[0].gas[0];
   SolidFields const& solid = body.triangles[0].solid[0];

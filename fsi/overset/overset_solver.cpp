@@ -315,7 +315,7 @@ struct OversetSolver::Impl {
         counters.skipped += b.triangles.size();
         continue;
       }
-      if (b.rigid) start_rigid_step(b, setup.gas.eos, dt);
+      if (b.rigid) start_rigid_step(b, setup.gas.eos, time, dt);
       std::size_t const count = b.triangles.size(), batches = (count + ModelProblems::lanes - 1) / ModelProblems::lanes;
       std::vector<std::size_t> const order = b.neighbours_in_turn();
       std::vector<std::array<Vec3, 2>> gradient(count);
@@ -422,7 +422,7 @@ struct OversetSolver::Impl {
     LocalRemeshCounts changes;
     Untangled untangled;
     if (b.rigid) {
-      finish_rigid_step(b, dt, held);
+      finish_rigid_step(b, time, dt, held);
     } else {
       add_impulse(b, dt, held);
       b.move_vertices(dt, held.growth);

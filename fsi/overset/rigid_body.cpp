@@ -32,7 +32,7 @@ Matrix inertia_of(Matrix const& moments) { return moments.trace() * Matrix::Iden
 
 }  // namespace
 
-RigidBody::RigidBody(TriangleSurface const& surface, Cut const& cut, RigidSetup const& setup) {
+RigidBody::RigidBody(TriangleSurface const& surface, Cut const& cut, RigidSetup const& setup) : given_(setup.given) {
   Mirrors const& planes = cut.mirrors;
   Enclosed const within = enclosed(surface, planes);
   mass_ = setup.density * within.volume, state.centre = within.centroid;
@@ -49,7 +49,10 @@ RigidBody::RigidBody(TriangleSurface const& surface, Cut const& cut, RigidSetup 
     }
   }
   Vector const angular = inertia_of(symmetric(moments_)) * vector_of(setup.spin);
-  advance(0, mass_ * setup.velocity, vec3_of(angular));
+  for (std::size_t a = 0; a < 3; ++a) {
+    if (moves_[a]) state.momentum[a] = mass_ * setup.velocity[a];
+    if (turns_[a]) state.angular[a] = angular[static_cast<Eigen::Index>(a)];
+  }
 }
 
 RigidBody::Motion RigidBody::motion() const {
@@ -73,7 +76,8 @@ std::array<Vec3, 3> RigidBody::turn(double dt) const {
   return {vec3_of(R.row(0)), vec3_of(R.row(1)), vec3_of(R.row(2))};
 }
 
-RigidBody::Motion RigidBody::half_step(std::vector<Push> const& pushes, double dt) const {
+RigidBody::Motion RigidBody::half_step(std::vector<Push> const& pushes, double time, double dt) const {
+  if (given_) return {given_(time + 0.5 * dt), motion().spin};
   using Vector6 = Eigen::Matrix<double, 6, 1>;
   Matrix const R = rotation_by(0.5 * dt * motion().spin).toRotationMatrix();
   Eigen::Matrix<double, 6, 6> matrix = Eigen::Matrix<double, 6, 6>::Zero();
@@ -97,10 +101,15 @@ RigidBody::Motion RigidBody::half_step(std::vector<Push> const& pushes, double d
   return {vec3_of(found.head<3>()), vec3_of(found.tail<3>())};
 }
 
-void RigidBody::advance(double dt, Vec3 const& impulse, Vec3 const& moment) {
+void RigidBody::advance(double time, double dt, Vec3 const& impulse, Vec3 const& moment) {
   state.centre = state.centre + dt * during_step.velocity;
   Quaternion const q = (rotation_by(dt * during_step.spin) * quaternion_of(state.rotation)).normalized();
   state.rotation = {q.w(), q.x(), q.y(), q.z()};
+  if (given_) {
+    state.momentum = mass_ * given_(time + dt);
+    state.angular = vec3_of(inertia_of(symmetric(moments())) * vector_of(during_step.spin));
+    return;
+  }
   for (std::size_t a = 0; a < 3; ++a) {
     if (moves_[a]) state.momentum[a] += impulse[a];
     if (turns_[a]) state.angular[a] += moment[a];

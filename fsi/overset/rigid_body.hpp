@@ -1,6 +1,7 @@
 #pragma once
 /// A body that does not deform: where it is, how it is turned, and what momentum it has.
 #include <array>
+#include <functional>
 #include <vector>
 
 #include "fsi/overset/mirrors.hpp"
@@ -10,6 +11,8 @@ namespace g27 {
 struct RigidSetup {
   double density = 1;                     ///< [kg/m^3]
   Vec3 velocity{0, 0, 0}, spin{0, 0, 0};  ///< at the start: of its centre of mass [m/s]; [1/s]
+  /// Its velocity at a time [s], whatever pushes; its spin stays. Without: the pressures move it.
+  std::function<Vec3(double)> given{};
 };
 
 /// Of a body that planes of symmetry cut: the part within the domain, which moves as they let it.
@@ -45,11 +48,12 @@ class RigidBody {
     double force = 0;                    ///< along the normal, were it at rest [N]
     double resistance = 0;               ///< by which the force falls with its velocity along the normal [N s/m]
   };
-  /// The motion at the half of a step of dt [s] that is due to the pushes at that motion: implicit, so that it is
-  /// stable for bodies that are lighter than the gas beside them.
-  [[nodiscard]] Motion half_step(std::vector<Push> const& pushes, double dt) const;
-  /// A step of dt [s] by the motion at its half; the impulse and its moment about the centre go to the momenta.
-  void advance(double dt, Vec3 const& impulse, Vec3 const& moment);
+  /// The motion at the half of a step of dt [s] from `time` on that is due to the pushes at that motion: implicit, so
+  /// that it is stable for bodies that are lighter than the gas beside them. Or the motion that is given.
+  [[nodiscard]] Motion half_step(std::vector<Push> const& pushes, double time, double dt) const;
+  /// A step by the motion at its half; the impulse and its moment about the centre go to the momenta.
+  void advance(double time, double dt, Vec3 const& impulse, Vec3 const& moment);
+  [[nodiscard]] bool driven() const noexcept { return static_cast<bool>(given_); }
   /// Vertices where the body is: by its place and rotation, so that the shape is kept to round-off.
   void place(TriangleSurface& surface, Cut const& cut) const;
 
@@ -58,6 +62,7 @@ class RigidBody {
   double mass_ = 0;                        ///< [kg]
   std::array<double, 6> moments_{};        ///< at the start
   std::array<bool, 3> moves_{}, turns_{};  ///< along and about which axes the planes let it
+  std::function<Vec3(double)> given_;      ///< velocity at a time
 };
 
 }  // namespace g27

@@ -12,7 +12,7 @@ Vec3 turned(std::array<Vec3, 3> const& rows, Vec3 const& v) noexcept {
 
 }  // namespace
 
-void start_rigid_step(Body& body, AnyEos const& gas, double dt) {
+void start_rigid_step(Body& body, AnyEos const& gas, double time, double dt) {
   RigidBody& rigid = *body.rigid;
   auto const turn = rigid.turn(0.5 * dt);
   std::vector<RigidBody::Push> pushes;
@@ -26,14 +26,14 @@ void start_rigid_step(Body& body, AnyEos const& gas, double dt) {
                       .force = resistance * dot(t.velocity, t.frame.n) - t.pressure * t.area,
                       .resistance = resistance});
   }
-  rigid.during_step = rigid.half_step(pushes, dt);
+  rigid.during_step = rigid.half_step(pushes, time, dt);
   auto const& [velocity, spin] = rigid.during_step;
   for (std::size_t n = 0; n < body.triangles.size(); ++n) {
     body.triangles[n].velocity = velocity + cross(spin, pushes[n].arm);
   }
 }
 
-void finish_rigid_step(Body& body, double dt, BodyMomentum& held) {
+void finish_rigid_step(Body& body, double time, double dt, BodyMomentum& held) {
   RigidBody& rigid = *body.rigid;
   auto const turn = rigid.turn(0.5 * dt);
   Vec3 impulse{0, 0, 0}, moment{0, 0, 0};
@@ -43,7 +43,7 @@ void finish_rigid_step(Body& body, double dt, BodyMomentum& held) {
     held.work += dot(push, t.velocity);
   }
   held.linear = held.linear + impulse, held.angular = held.angular + moment;
-  rigid.advance(dt, impulse, moment);
+  rigid.advance(time, dt, impulse, moment);
   rigid.place(body.surface, body.cut);
   body.place_triangles();
 }

@@ -8,10 +8,10 @@
 
 namespace g27 {
 
-/// Velocities of the triangles and directions of their axes at the half of a step of dt [s].
-void start_rigid_step(Body& body, AnyEos const& gas, double dt);
+/// Velocities of the triangles and directions of their axes at the half of a step of dt from `time` on [s].
+void start_rigid_step(Body& body, AnyEos const& gas, double time, double dt);
 
 /// Once the triangles have their pressures: momenta, the body's too, and place at the end of the step.
-void finish_rigid_step(Body& body, double dt, BodyMomentum& held);
+void finish_rigid_step(Body& body, double time, double dt, BodyMomentum& held);
 
 }  // namespace g27

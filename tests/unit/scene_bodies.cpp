@@ -131,6 +131,7 @@ std::vector<Mistake> const mistakes{
     {"axis = [0, 0, 1]", "axis = [0, 0, 0]", "body.0.rotate.axis", "no length", "direction"},
     {"angle = \"10 deg\"", "angle = \"10 cm\"", "body.0.rotate.angle", "not an angle", "45 deg"},
     {"velocity = [\"0 m/s\"", "velocity = [\"0 m\"", "body.0.velocity.0", "not a velocity", "km/s"},
+    {"velocity =", "motion = \"given\"\nvelocity =", "body.0.motion", "for rigid bodies", "strength.type rigid"},
     {"velocity =", "spin = [\"0 rad/s\", \"0 rad\", \"0 rad/s\"]\nvelocity =", "body.0.spin.1", "not an angular velocity", "rad/s"},
     {"material = \"soft\"", "material = \"steel\"", "body.0.material", "'steel'", "soft"},
     {"material = \"soft\"", "material = \"gas\"", "body.0.material", "has no strength", "add strength"},
@@ -355,6 +356,40 @@ spin = ["0 rad/s", "0 rad/s", "500 rad/s"]
   CHECK(std::fabs(last("impulse_x")) > 1e-5);
   CHECK(last("momentum_x") == Approx(last("impulse_x")).epsilon(1e-13));
   CHECK(last("mass") == estimate.mass);
+}
+
+TEST_CASE("a rigid body in given motion has a velocity by tables, and planes that cut it hold", "[scene]") {
+  Folder const folder;
+  std::string const text = std::regex_replace(
+      std::regex_replace(std::string(scene_text), std::regex("eos = [{] type = \"bulk-modulus\"[^\n]*\n"), ""),
+      std::regex("strength = [^\n]*"), "strength = { type = \"rigid\" }");
+  auto const error_of = [&](std::string const& motion, std::vector<std::string> const& set = {}) {
+    try {
+      (void)read(folder, set, std::regex_replace(text, std::regex("velocity = [^\n]*"), motion));
+    } catch (g27::InputError const& error) {
+      return error.key + ": " + error.problem;
+    }
+    return std::string("accepted");
+  };
+  std::string const ramp = "[[\"1 us\", \"0 m/s\"], [\"3 us\", \"100 m/s\"]]";
+  std::string const motion = "motion = \"given\"\nvelocity = [\"3 m/s\", " + ramp + ", \"0 m/s\"]";
+  std::string const given = std::regex_replace(text, std::regex("velocity = [^\n]*"), motion);
+  auto const rigid = read(folder, {}, given).runs[0].grid->bodies[0].setup.rigid;
+  REQUIRE(rigid);
+  CHECK(rigid->density == Approx(1000).epsilon(1e-14));
+  CHECK(rigid->velocity == g27::Vec3{3, 0, 0});
+  CHECK(rigid->given(2e-6)[0] == 3);
+  CHECK(rigid->given(2e-6)[1] == Approx(50).epsilon(1e-12));
+  CHECK(error_of("motion = \"given\"") == "body.0.velocity: is missing");
+  CHECK(error_of("motion = \"given\"\nvelocity = [\"0 m/s\"]") == "body.0.velocity: has 1 entries");
+  CHECK(error_of("motion = \"drven\"").find("body.0.motion: ") == 0);
+  CHECK(error_of("pressure = \"1 bar\"") == "body.0.pressure: is nothing that a rigid body has");
+  std::vector<std::string> const cut{
+      "body.0.center=[\"0 cm\", \"1.6 cm\", \"1.6 cm\"]",
+      "body.0.extent=[[\"0 cm\", \"1 cm\"], [\"0.7 cm\", \"2.5 cm\"], [\"0.7 cm\", \"2.5 cm\"]]"};
+  CHECK(error_of("motion = \"given\"\nvelocity = [" + ramp + ", \"0 m/s\", \"0 m/s\"]", cut) ==
+        "body.0.velocity: moves the body across the plane of symmetry that cuts it along x");
+  CHECK(error_of("motion = \"given\"\nvelocity = [\"0 m/s\", " + ramp + ", \"0 m/s\"]", cut) == "accepted");
 }
 
 TEST_CASE("a probe in a body is remarked on", "[scene]") {
