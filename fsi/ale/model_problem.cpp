@@ -6,6 +6,7 @@
 
 #include "fsi/ale/gas_side.hpp"
 #include "fsi/ale/solid_side.hpp"
+#include "fsi/ale/wall_side.hpp"
 #include "riemann/contact/gas_solid.hpp"
 
 namespace g27 {
@@ -30,10 +31,23 @@ double meet(AnyEos const& any, GasTrace const& gas, double speed, double impedan
 }  // namespace
 
 struct ModelProblems::Impl {
-  GasSide gas;
-  SolidSide solid;
+  virtual ~Impl() = default;
+  virtual void solve(std::span<ModelStencil const> stencils, double dt, std::span<ModelResult> results,
+                     bool first_order) = 0;
+};
 
-  void solve(std::span<ModelStencil const> stencils, double dt, std::span<ModelResult> results, bool first_order) {
+/// Solid: SolidSide, or WallSide.
+template <class Solid>
+struct ModelProblems::Against final : Impl {
+  GasSide gas;
+  Solid solid;
+
+  template <class... Of>
+  Against(AnyEos const& eos, double width, ModelOptions const& options, Of const&... of)
+      : gas(eos, width, options), solid{of...} {}
+
+  void solve(std::span<ModelStencil const> stencils, double dt, std::span<ModelResult> results,
+             bool first_order) override {
     std::array<Vec3, lanes> frame{};
     for (std::size_t lane = 0; lane < lanes; ++lane)
       frame[lane] = stencils[std::min(lane, stencils.size() - 1)].velocity;
@@ -106,7 +120,9 @@ ModelOptions known(ModelOptions options) {
 
 ModelProblems::ModelProblems(AnyEos const& gas, AnySolid const& solid, double gas_width, double solid_width,
                              ModelOptions options)
-    : impl_(new Impl{GasSide(gas, gas_width, known(options)), SolidSide(solid, solid_width, known(options))}) {}
+    : impl_(std::make_unique<Against<SolidSide>>(gas, gas_width, known(options), solid, solid_width, known(options))) {}
+ModelProblems::ModelProblems(AnyEos const& gas, double gas_width, ModelOptions options)
+    : impl_(std::make_unique<Against<WallSide>>(gas, gas_width, known(options))) {}
 ModelProblems::~ModelProblems() = default;
 ModelProblems::ModelProblems(ModelProblems&&) noexcept = default;
 

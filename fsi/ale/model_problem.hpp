@@ -49,6 +49,8 @@ class ModelProblems {
 
   /// Widths of the cells of both sides [m]. Profiles are linear for the parabolic predictor as well.
   ModelProblems(AnyEos const& gas, AnySolid const& solid, double gas_width, double solid_width, ModelOptions options);
+  /// Of gas against rigid walls: the velocities of the stencils are the walls', the solids are neither read nor given.
+  ModelProblems(AnyEos const& gas, double gas_width, ModelOptions options);
   ~ModelProblems();
   ModelProblems(ModelProblems&&) noexcept;
 
@@ -57,6 +59,8 @@ class ModelProblems {
 
  private:
   struct Impl;
+  template <class Solid>
+  struct Against;
   std::unique_ptr<Impl> impl_;
 };
 

@@ -24,6 +24,7 @@ bool at_rest(SolidFields const& q, double pressure, double close) noexcept {
 }  // namespace
 
 bool asleep(Body const& body) {
+  if (body.rigid && body.rigid->driven()) return false;
   double const eps = std::numeric_limits<double>::epsilon();
   GasFields const& gas = body.triangles[0].gas[0];
   SolidFields const& solid = body.triangles[0].solid[0];
@@ -41,6 +42,7 @@ bool asleep(Body const& body) {
   for (TriangleState const& t : body.triangles) {
     if (length(t.velocity) != 0 || t.pressure != p) return false;
     if (!std::all_of(t.gas.begin(), t.gas.end(), still)) return false;
+    if (body.rigid) continue;
     for (SolidFields const& q : t.solid) {
       if (!at_rest(q, p, close)) return false;
     }

@@ -7,7 +7,8 @@ namespace g27 {
 
 namespace {
 
-constexpr int margin = 4;            ///< cells of a window beyond the box that the body stays in
+constexpr int margin = 4;  ///< cells of a window beyond the box that the body stays in
+constexpr Int3 smallest_grid{4, 4, 4};
 constexpr Int3 body_tile{16, 8, 8};  ///< of a body's grid: small, since only tiles with cells of the body are computed
 
 }  // namespace
@@ -33,6 +34,7 @@ BodySetup bounded(BodySetup s, Mirrors const& cut) {
 }
 
 WindowBox solid_window(BodySetup const& s, Mirrors const& cut) {
+  if (s.rigid) return {.lower = s.lower, .h = s.cell, .grid = smallest_grid, .size = smallest_grid};
   WindowBox box{.lower = {}, .h = s.cell, .grid = {}, .first = {0, 0, 0}, .size = {}, .mirrors = cut};
   for (std::size_t a = 0; a < 3; ++a) {
     double const cells = (s.upper[a] - s.lower[a]) / s.cell;
@@ -100,6 +102,13 @@ Body::Body(BodySetup s, GasGrid const& gas_grid, SolidSchemeOptions const& optio
       gas(gas_box(setup, gas_grid), false, gas_grid.setup().eos) {
   connect(), place_triangles();
   for (TriangleState& t : triangles) t.at_start = t.frame.n;
+  if (setup.rigid) {
+    rigid.emplace(surface, cut, *setup.rigid);
+    setup.initial = [motion = rigid->motion(), centre = rigid->state.centre,
+                     rho = setup.rigid->density](Vec3 const& x) {
+      return SolidPoint{.rho = rho, .u = motion.velocity + cross(motion.spin, x - centre)};
+    };
+  }
 }
 
 void Body::connect() {
@@ -157,7 +166,7 @@ std::vector<std::size_t> Body::neighbours_in_turn() const {
   constexpr int width = 3;  // of blocks of cells, which are gone through in rows
   std::vector<std::pair<std::array<int, 6>, std::size_t>> keyed(triangles.size());
   for (std::size_t n = 0; n < keyed.size(); ++n) {
-    Int3 const c = solid.kinds.cell_of(triangles[n].centre);
+    Int3 const c = rigid ? gas.kinds.cell_of(triangles[n].centre) : solid.kinds.cell_of(triangles[n].centre);
     keyed[n] = {{c[2] / width, c[1] / width, c[0] / width, c[2], c[1], c[0]}, n};
   }
   std::sort(keyed.begin(), keyed.end());

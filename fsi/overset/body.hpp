@@ -1,11 +1,12 @@
 #pragma once
-/// A deforming body: its surface, its Cartesian grid, and at every triangle the local grid that moves with it.
+/// A body: its surface, its Cartesian grid unless it is rigid, and at every triangle the local grid that moves with it.
 #include <functional>
 #include <memory>
 
 #include "fsi/ale/model_problem.hpp"
 #include "fsi/overset/body_spin.hpp"
 #include "fsi/overset/donors.hpp"
+#include "fsi/overset/rigid_body.hpp"
 #include "scheme/step/gas_grid.hpp"
 #include "scheme/step/solid_grid.hpp"
 
@@ -17,6 +18,7 @@ struct BodySetup {
   double cell = 1;                                 ///< width of the cells of its grid [m]
   Vec3 lower{0, 0, 0}, upper{1, 1, 1};             ///< box that the body stays in [m]
   std::function<SolidPoint(Vec3 const&)> initial;  ///< state at the start
+  std::optional<RigidSetup> rigid{};               ///< instead of material and initial state
 };
 
 /// Sides of the domain that are walls all over: they may cut bodies.
@@ -25,7 +27,8 @@ Mirrors walls_of(GasGridSetup const& gas);
 /// The box that a body stays in ends at the planes that cut it.
 BodySetup bounded(BodySetup setup, Mirrors const& cut);
 
-/// The cells of its grid: the box and a margin; beyond planes that cut the body images.
+/// The cells of its grid: the box and a margin; beyond planes that cut the body images. Of a rigid one some that
+/// nothing uses.
 WindowBox solid_window(BodySetup const& setup, Mirrors const& cut = {});
 
 /// What is known at a triangle between steps.
@@ -74,8 +77,9 @@ struct Body {
   SolidGrid grid;
   Region<SolidFields> solid;
   Region<GasFields> gas;
-  SolidFields background{};  ///< of cells that are not of the body
-  GasFields ambient{};       ///< of gas cells that are not of the gas
+  SolidFields background{};        ///< of cells that are not of the body
+  GasFields ambient{};             ///< of gas cells that are not of the gas
+  std::optional<RigidBody> rigid;  ///< without states, cells and waves of a solid: its triangles are walls
 
   Body(BodySetup setup, GasGrid const& gas_grid, SolidSchemeOptions const& options);
 

@@ -14,6 +14,13 @@ double mean_product(Vec3 const& f, Vec3 const& g) noexcept {
   return (sum + dot(f, g)) / 12;
 }
 
+/// The same of three.
+double mean_product(Vec3 const& f, Vec3 const& g, Vec3 const& h) noexcept {
+  double const F = f[0] + f[1] + f[2], G = g[0] + g[1] + g[2], H = h[0] + h[1] + h[2];
+  double const corners = f[0] * g[0] * h[0] + f[1] * g[1] * h[1] + f[2] * g[2] * h[2];
+  return (F * G * H + F * dot(g, h) + G * dot(f, h) + H * dot(f, g) + 2 * corners) / 60;
+}
+
 }  // namespace
 
 Enclosed enclosed(Body const& body) { return enclosed(body.surface, body.cut.mirrors); }
@@ -36,12 +43,35 @@ Enclosed enclosed(TriangleSurface const& surface, Mirrors const& m) {
     }
     out.volume += area / 3 * (x[axis][0] + x[axis][1] + x[axis][2]);
     for (std::size_t a = 0; a < 3; ++a) out.centroid[a] += (a == axis ? 0.5 : 1.0) * area * mean_product(x[axis], x[a]);
+    for (std::size_t a = 0; a < 3; ++a) {
+      for (std::size_t b = a; b < 3; ++b) {
+        double const along = 1 + (a == axis ? 1 : 0) + (b == axis ? 1 : 0);
+        out.moments[tensor_place[a][b]] += area / along * mean_product(x[axis], x[a], x[b]);
+      }
+    }
   }
-  out.centroid = (1 / out.volume) * out.centroid + origin;
+  out.centroid = (1 / out.volume) * out.centroid;
+  for (std::size_t a = 0; a < 3; ++a) {
+    for (std::size_t b = a; b < 3; ++b)
+      out.moments[tensor_place[a][b]] -= out.volume * out.centroid[a] * out.centroid[b];
+  }
+  out.centroid = out.centroid + origin;
   return out;
 }
 
+namespace {
+
+BodyIntegrals integrals_of(RigidBody const& rigid, double volume) {
+  BodyIntegrals out{.volume = volume, .mass = rigid.mass(), .centre = rigid.state.centre};
+  out.momentum = rigid.state.momentum, out.angular = rigid.state.angular, out.inertia = rigid.moments();
+  out.energy = out.kinetic = rigid.kinetic_energy();
+  return out;
+}
+
+}  // namespace
+
 BodyIntegrals integrals(Body const& body, int rays) {
+  if (body.rigid) return integrals_of(*body.rigid, enclosed(body).volume);
   namespace f = solid_field_of;
   CellKinds const& kinds = body.solid.kinds;
   auto const parts = parts_within(kinds, rays);

@@ -6,8 +6,9 @@ namespace g27 {
 
 /// Of the polyhedron within the surface and the planes of symmetry that cut it: exact.
 struct Enclosed {
-  double volume = 0;       ///< [m^3]
-  Vec3 centroid{0, 0, 0};  ///< [m]
+  double volume = 0;                ///< [m^3]
+  Vec3 centroid{0, 0, 0};           ///< [m]
+  std::array<double, 6> moments{};  ///< second moments about it, xx yy zz xy xz yz [m^5]
 };
 Enclosed enclosed(Body const& body);
 /// Of a surface that planes cut.

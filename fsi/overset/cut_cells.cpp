@@ -13,7 +13,7 @@ std::vector<CellPart> parts_within(CellKinds const& kinds, int rays) {
   double const piece = 1.0 / (rays * rays), inverse = 1 / box.h;
   for (int k = near.first[2]; k <= near.last[2]; ++k) {
     for (int j = near.first[1]; j <= near.last[1]; ++j) {
-      if (kinds.is_image(static_cast<std::size_t>(kinds.index({-box.first[0], j, k})))) continue;
+      if (kinds.is_image(static_cast<std::size_t>(kinds.index({std::max(0, -box.first[0]), j, k})))) continue;
       Vec3 const middle = kinds.centre({0, j, k});
       for (int ray = 0; ray < rays * rays; ++ray) {
         double const y = middle[1] + ((ray % rays + 0.5) / rays - 0.5) * box.h;

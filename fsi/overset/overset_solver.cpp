@@ -10,6 +10,7 @@
 #include "fsi/overset/asleep.hpp"
 #include "fsi/overset/clouds.hpp"
 #include "fsi/overset/fill.hpp"
+#include "fsi/overset/rigid_step.hpp"
 #include "fsi/overset/thin_gaps.hpp"
 #include "fsi/overset/thin_rims.hpp"
 #include "fsi/overset/untangle.hpp"
@@ -89,7 +90,11 @@ struct OversetSolver::Impl {
       bodies.push_back(std::make_unique<Body>(b, gas, setup.solid_options));
       std::vector<ModelProblems> each;
       for (int k = 0; k < threads; ++k) {
-        each.emplace_back(setup.gas.eos, b.material, gas.widths()[0], b.cell, setup.local);
+        if (b.rigid) {
+          each.emplace_back(setup.gas.eos, gas.widths()[0], setup.local);
+        } else {
+          each.emplace_back(setup.gas.eos, b.material, gas.widths()[0], b.cell, setup.local);
+        }
       }
       problems.push_back(std::move(each));
       results.emplace_back();
@@ -119,7 +124,7 @@ struct OversetSolver::Impl {
       TriangleSurface const* const own = &b.surface;
       if (n % 2 == 0) {
         b.gas.kinds.classify(all);
-      } else {
+      } else if (!b.rigid) {
         b.solid.kinds.classify(std::span(&own, 1));
       }
     }
@@ -280,7 +285,7 @@ struct OversetSolver::Impl {
     double dt = gas.stable_dt();
     double const h_gas = gas.widths()[0];
     for (auto const& b : bodies) {
-      dt = std::min(dt, b->grid.stable_dt());
+      if (!b->rigid) dt = std::min(dt, b->grid.stable_dt());
       double rate = 0, solid_rate = 0;
 #pragma omp parallel for num_threads(threads) schedule(static) reduction(max : rate, solid_rate)
       for (std::size_t n = 0; n < b->triangles.size(); ++n) {
@@ -291,6 +296,7 @@ struct OversetSolver::Impl {
             [&](auto const& eos) { return eos.bulk_modulus(q[gas_field::rho], q[gas_field::p]); }, setup.gas.eos);
         rate = std::max(
             rate, (std::fabs(v[0]) + std::fabs(v[1]) + std::fabs(v[2]) + 3 * std::sqrt(K / q[gas_field::rho])) / h_gas);
+        if (b->rigid) continue;
         SolidFields const& s = t.solid[0];
         double const M =
             std::visit([&](auto const& eos) { return eos.bulk_modulus(s[0], s[4]); }, b->setup.material.eos) +
@@ -309,6 +315,7 @@ struct OversetSolver::Impl {
         counters.skipped += b.triangles.size();
         continue;
       }
+      if (b.rigid) start_rigid_step(b, setup.gas.eos, time, dt);
       std::size_t const count = b.triangles.size(), batches = (count + ModelProblems::lanes - 1) / ModelProblems::lanes;
       std::vector<std::size_t> const order = b.neighbours_in_turn();
       std::vector<std::array<Vec3, 2>> gradient(count);
@@ -356,7 +363,7 @@ struct OversetSolver::Impl {
 #pragma omp parallel for num_threads(over_bodies()) schedule(dynamic, 1)
     for (std::size_t n = 0; n < bodies.size(); ++n) {
       SolidGrid& grid = bodies[n]->grid;
-      if (sleeping[n] != 0) grid.rest(time + dt);
+      if (sleeping[n] != 0 || bodies[n]->rigid) grid.rest(time + dt);
       while (grid.time() < time + dt && of_solids[n].status == StepStatus::ok) of_solids[n] = grid.step(time + dt);
     }
     for (GridStepReport const& r : of_solids) {
@@ -412,13 +419,18 @@ struct OversetSolver::Impl {
       }
       first_order += r.first_order ? 1 : 0, failed += r.failed ? 1 : 0;
     }
-    add_impulse(b, dt, held);
-    b.move_vertices(dt, held.growth);
-    b.place_triangles();
-    LocalRemeshCounts const changes = remesh(b, setup.remeshing);
+    LocalRemeshCounts changes;
     Untangled untangled;
-    if (setup.remeshing.on) untangled = untangle(b.surface, b.cut);
-    if (untangled.moved > 0) b.place_triangles();
+    if (b.rigid) {
+      finish_rigid_step(b, time, dt, held);
+    } else {
+      add_impulse(b, dt, held);
+      b.move_vertices(dt, held.growth);
+      b.place_triangles();
+      changes = remesh(b, setup.remeshing);
+      if (setup.remeshing.on) untangled = untangle(b.surface, b.cut);
+      if (untangled.moved > 0) b.place_triangles();
+    }
 #pragma omp critical(overset_counters)
     {
       counters.first_order += first_order, counters.failed += failed, counters.remeshing.add(changes);

@@ -47,6 +47,11 @@ std::vector<std::array<double, N>> unpacked(std::vector<double> const& from) {
 
 constexpr std::size_t solid_densities = 12;
 
+template <class State, class F>
+void for_each_member_of_rigid(State& s, F const& f) {
+  f(s.centre), f(s.rotation), f(s.momentum), f(s.angular);
+}
+
 /// Calls f with every member of a triangle's state that its corners do not give.
 template <class State, class F>
 void for_each_member(State& t, F const& f) {
@@ -115,6 +120,10 @@ void save_body(Body const& body, BodyMomentum const& held, std::size_t n, Overse
     put(averages, q.mass), put(averages, q.momentum), put(averages, q.energy);
     put(averages, q.rho_S), put(averages, q.rho_ep);
   });
+  if (body.rigid) {
+    auto& rigid = array("rigid");
+    for_each_member_of_rigid(body.rigid->state, [&](auto const& x) { put(rigid, x); });
+  }
   auto& rest = array("rest");
   put(rest, body.grid.time()), put(rest, body.grid.signal_rate());
   put(rest, body.background), put(rest, body.ambient);
@@ -143,6 +152,10 @@ BodyMomentum restore_body(OversetState const& from, std::size_t n, Body& body) {
   body.solid.states = unpacked<solid_field_of::count>(array("solid_states"));
   if (body.gas.states.size() != body.gas.kinds.count() || body.solid.states.size() != body.solid.kinds.count()) {
     throw std::invalid_argument("the stored state is of other grids");
+  }
+  if (body.rigid) {
+    Numbers rigid(array("rigid"));
+    for_each_member_of_rigid(body.rigid->state, [&](auto& x) { rigid.get(x); });
   }
   Numbers rest(array("rest"));
   double time = 0, rate = 0;

@@ -18,6 +18,7 @@ constexpr double rate_of_thicker = 0.7;
 }  // namespace
 
 bool tie_thin_rims(Body& body, double dt) {
+  if (body.rigid) return false;
   using Velocities = std::array<Vec3, core_layers>;
   double const h = body.setup.cell;
   std::vector<std::pair<std::size_t, Velocities>> tied;

@@ -36,6 +36,7 @@ BodySnapshot snapshot_of(std::string const& name, Body const& body) {
     out.velocity.insert(out.velocity.end(), t.velocity.begin(), t.velocity.end());
     out.pressure.push_back(t.pressure);
   }
+  if (body.rigid) return out;
   CellKinds const& kinds = body.solid.kinds;
   for (auto const& [column, unit] : solid_columns) {
     out.fields.push_back({column, unit, std::vector<double>(kinds.count())});
@@ -100,6 +101,7 @@ void write_bodies(Hdf5Writer& out, std::string const& path, SceneRun const& run,
     out.write_integers(group + "/triangles", body.triangles, {triangles, 3});
     out.write(group + "/velocity", body.velocity, "m/s", {triangles, 3});
     out.write(group + "/pressure", body.pressure, "Pa");
+    if (body.fields.empty()) continue;
     WindowBox const box = solid_window(run.grid->bodies[n].setup, run.grid->bodies[n].cut);
     std::vector<std::uint64_t> shape;
     for (std::size_t a : {2u, 1u, 0u}) shape.push_back(static_cast<std::uint64_t>(box.size[a]));
@@ -123,6 +125,7 @@ std::string body_xdmf(SceneRun const& run, double const* sizes, std::string cons
         body.name, triangles, item(at + "triangles", three, true), item(at + "vertices", fmt::format("{} 3", vertices)),
         attribute("velocity", "Vector", item(at + "velocity", three)),
         attribute("pressure", "Scalar", item(at + "pressure", std::to_string(triangles))));
+    if (body.setup.rigid) continue;
     WindowBox const box = solid_window(body.setup, body.cut);
     Vec3 const corner = box.corner();
     auto const& c = box.size;

@@ -54,7 +54,7 @@ struct LineStart {
   double clearance = 0;  ///< distance of the centre to the nearest obstacle: the phase ends before the wave gets there
 };
 
-/// A deforming body in the gas.
+/// A body in the gas.
 struct SceneBody {
   std::string name, key;             ///< "top", "body.0"
   std::string file;                  ///< of its surface, as the scene names it

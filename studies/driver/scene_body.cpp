@@ -1,4 +1,4 @@
-/// [[body]]: deforming bodies in the gas.
+/// [[body]]: bodies in the gas.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,14 +10,15 @@
 #include "fsi/surface/polygon_mesh.hpp"
 #include "studies/driver/scene_grid_parts.hpp"
 #include "studies/driver/scene_surface.hpp"
+#include "studies/driver/time_table.hpp"
 
 namespace g27 {
 namespace {
 
 constexpr double fewest_across = 3;  ///< of its own grid across a body: what a plate needs (study fsi-slab)
 
-std::vector<std::string> const body_keys{"name", "surface",  "scale", "center", "rotate",  "velocity",
-                                         "spin", "material", "cell",  "extent", "pressure"};
+std::vector<std::string> const body_keys{"name", "surface",  "scale", "center", "rotate",   "velocity",
+                                         "spin", "material", "cell",  "extent", "pressure", "motion"};
 
 double width_of(GridBox const& box) { return (box.upper[0] - box.lower[0]) / box.cells[0]; }
 
@@ -130,6 +131,53 @@ void check_symmetric(Section const& section, Mirrors const& cut, Vec3 const& vel
   }
 }
 
+/// Velocity in time, each component a table or a number.
+std::array<TimeTable, 3> read_given_velocity(Section const& section) {
+  constexpr char const* example = R"([[["0 us", "0 m/s"], ["1 us", "100 m/s"]], "0 m/s", "0 m/s"])";
+  auto const* list = std::get_if<Node::Array>(&section.need("velocity", example).value);
+  if (list == nullptr || list->size() != 3) {
+    throw section.error("velocity", list == nullptr ? "is not a list" : fmt::format("has {} entries", list->size()),
+                        "give 3, one an axis");
+  }
+  std::array<TimeTable, 3> out;
+  for (std::size_t a = 0; a < 3; ++a) {
+    out[a] = read_time_table(section, (*list)[a], fmt::format("velocity.{}", a), dimension::velocity);
+  }
+  return out;
+}
+
+struct Motion {
+  Vec3 velocity{0, 0, 0}, spin{0, 0, 0};
+};
+
+Motion motion_at_start(Section const& section, Mirrors const& cut) {
+  Motion m;
+  if (section.has("velocity")) m.velocity = section.point("velocity", dimension::velocity, 3);
+  if (section.has("spin")) m.spin = section.point("spin", dimension::angular_velocity, 3);
+  check_symmetric(section, cut, m.velocity, m.spin);
+  return m;
+}
+
+RigidSetup read_rigid(Section const& section, Mirrors const& cut, double density) {
+  if (section.has("pressure")) {
+    throw section.error("pressure", "is nothing that a rigid body has", "remove it, or choose another material");
+  }
+  RigidSetup out{.density = density};
+  if (section.choice("motion", {"free", "given"}, 0) == 0) {
+    Motion const m = motion_at_start(section, cut);
+    out.velocity = m.velocity, out.spin = m.spin;
+    return out;
+  }
+  std::array<TimeTable, 3> const u = read_given_velocity(section);
+  if (section.has("spin")) out.spin = section.point("spin", dimension::angular_velocity, 3);
+  for (std::size_t a = 0; a < 3; ++a) {
+    for (double v : u[a].v) check_symmetric(section, cut, {a == 0 ? v : 0, a == 1 ? v : 0, a == 2 ? v : 0}, out.spin);
+  }
+  out.given = [u](double t) { return Vec3{u[0](t), u[1](t), u[2](t)}; };
+  out.velocity = out.given(0);
+  return out;
+}
+
 SceneBody read_body(Section const& root, Section const& section, GridBox const& box, Mirrors const& walls,
                     std::function<GasPoint(Vec3 const&)> const& point, std::vector<SceneBody> const& others) {
   SceneBody body;
@@ -159,10 +207,15 @@ SceneBody read_body(Section const& root, Section const& section, GridBox const& 
   body.fingerprint = loaded.fingerprint, body.remarks = std::move(loaded.remarks);
   set_extent(section, box, body.cut, setup);
 
+  if (solid.rigid) {
+    setup.rigid = read_rigid(section, body.cut, solid.density);
+    return body;
+  }
+  if (section.has("motion")) {
+    throw section.error("motion", "is for rigid bodies", "remove it, or choose a material with strength.type rigid");
+  }
   Vec3 const centre = mass_properties(body.whole).centroid;
-  Vec3 const u = section.has("velocity") ? section.point("velocity", dimension::velocity, 3) : Vec3{0, 0, 0};
-  Vec3 const spin = section.has("spin") ? section.point("spin", dimension::angular_velocity, 3) : Vec3{0, 0, 0};
-  check_symmetric(section, body.cut, u, spin);
+  auto const [u, spin] = motion_at_start(section, body.cut);
   double const pressure = section.has("pressure") ? section.quantity("pressure", dimension::pressure) : point(centre).p;
   SolidPoint const rest = solid_at_rest(solid, pressure);
   if (!(rest.rho > 0 &&
@@ -170,7 +223,7 @@ SceneBody read_body(Section const& root, Section const& section, GridBox const& 
     throw section.error("pressure", fmt::format("{} Pa leaves the body no density or stiffness", pressure),
                         "give a higher one");
   }
-  setup.initial = [=](Vec3 const& x) {
+  setup.initial = [rest, centre, u = u, spin = spin](Vec3 const& x) {
     SolidPoint s = rest;
     s.u = u + cross(spin, x - centre);
     return s;

@@ -140,7 +140,7 @@ std::vector<BodyEstimate> body_estimates(SceneRun const& run) {
     BodyEstimate e{.name = body.name, .lower = setup.lower, .upper = setup.upper, .from = box.lower, .to = box.upper};
     e.triangles = static_cast<double>(setup.surface.size());
     e.volume = enclosed(setup.surface, body.cut).volume, e.mass = body.density * e.volume;
-    e.cells = e.volume / std::pow(setup.cell, 3), e.window = window_cells(body);
+    if (!setup.rigid) e.cells = e.volume / std::pow(setup.cell, 3), e.window = window_cells(body);
     e.shortest = *least / setup.cell, e.longest = *most / setup.cell;
     e.bytes = e.window * body_cell_bytes;
     out.push_back(e);

@@ -100,7 +100,8 @@ AnySolidEos read_solid_eos(Section const& material, double density) {
   return std::get<StiffenedGas>(make_law(any, law, read_parameters(any, law, {})));
 }
 
-void read_strength(Section const& material, AnySolid& out) {
+/// Equation of state and strength, which a rigid material does not have.
+void read_strength(Section const& material, Solid& solid) {
   constexpr char const* example = "{ type = \"elastic\", shear = \"80 GPa\" }";
   auto const* table = std::get_if<Node::Table>(&material.need("strength", example).value);
   std::vector<std::string> every_key{"type"};
@@ -108,7 +109,19 @@ void read_strength(Section const& material, AnySolid& out) {
     every_key.push_back((*table)[i].key);
   }
   Section const any = material.table("strength", every_key);
-  bool const plastic = index_of_choice(any, "type", any.text("type"), {"elastic", "von-mises"}) == 1;
+  std::size_t const type = index_of_choice(any, "type", any.text("type"), {"elastic", "von-mises", "rigid"});
+  solid.rigid = type == 2;
+  if (solid.rigid) {
+    constexpr char const* remedy = "remove it, or choose strength.type elastic or von-mises";
+    for (std::string const& key : every_key) {
+      if (key != "type") throw any.error(key, "is nothing that a rigid body has", remedy);
+    }
+    if (material.has("eos")) throw material.error("eos", "is nothing that a rigid body has", remedy);
+    return;
+  }
+  AnySolid& out = solid.law;
+  out.eos = read_solid_eos(material, solid.density);
+  bool const plastic = type == 1;
   Section const section = any.reopened(plastic ? std::vector<std::string>{"type", "shear", "yield", "hardening"}
                                                : std::vector<std::string>{"type", "shear"});
   out.mu = section.positive("shear", dimension::pressure);
@@ -173,8 +186,7 @@ Solid read_solid(Section const& root, Section const& body) {
   Section const material = root.table("material", names).table(name, {"density", "eos", "strength"});
   Solid out;
   out.density = material.positive("density", dimension::density);
-  out.law.eos = read_solid_eos(material, out.density);
-  read_strength(material, out.law);
+  read_strength(material, out);
   return out;
 }
 

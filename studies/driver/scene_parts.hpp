@@ -13,6 +13,7 @@ AnyEos read_eos(Section const& root);
 struct Solid {
   AnySolid law;
   double density = 0;  ///< unstressed [kg/m^3]
+  bool rigid = false;  ///< without a law
 };
 /// The one that a [[body]] names.
 Solid read_solid(Section const& root, Section const& body);

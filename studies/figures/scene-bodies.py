@@ -65,12 +65,13 @@ def draw_plane(axes, state, axis, at, length):
     gas = axes.pcolormesh(nodes[2 - across] / factor, nodes[2 - up] / factor, density, cmap="viridis", rasterized=True,
                           norm=LogNorm(max(low, 1e-6 * high), high) if spread else None)
     plt.colorbar(gas, ax=axes, label="density of the gas [kg/m3]", shrink=0.8)
-    solid, most = None, max(body["grid/von_mises"][:].max() for body in state["body"].values())
+    # rigid bodies have no grid
+    grids = {name: body["grid"] for name, body in state["body"].items() if "grid" in body}
+    solid, most = None, max((grid["von_mises"][:].max() for grid in grids.values()), default=0)
     for name, body in state["body"].items():
-        grid = body["grid"]
-        own = nodes_of(grid)
-        mises = np.where(grid["density"][:] != 0, grid["von_mises"][:], np.nan)
-        if own[2 - axis][0] < at < own[2 - axis][-1]:
+        own = nodes_of(grids[name]) if name in grids else None
+        if own and own[2 - axis][0] < at < own[2 - axis][-1]:
+            mises = np.where(grids[name]["density"][:] != 0, grids[name]["von_mises"][:], np.nan)
             solid = axes.pcolormesh(own[2 - across] / factor, own[2 - up] / factor, plane(mises, own, axis, at) / 1e6,
                                     cmap="inferno", vmin=0, vmax=most / 1e6, rasterized=True)
         segments = np.array(outline(body, axis, at))

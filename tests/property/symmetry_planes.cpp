@@ -1,6 +1,7 @@
 // Bodies that symmetry planes cut, on overset grids.
 #include <cmath>
 
+#include "fsi/overset/gas_integrals.hpp"
 #include "fsi/surface/clip.hpp"
 #include "fsi/surface/shapes.hpp"
 #include "studies/driver/lookup.hpp"
@@ -178,6 +179,31 @@ TEST_CASE("a plate between two pairs of walls is half of that of twice the width
   CAPTURE(now.momentum[0], impulse[0], now.mass);
   CHECK(now.momentum[0] > 1);
   CHECK(now.mass == Approx(0.5 * integrals(*whole.bodies()[0]).mass).epsilon(1e-11));
+}
+
+TEST_CASE("gas beside a plate between walls fills what the plate leaves, wherever its window begins") {
+  double const h = 1.0 / 16;
+  for (int before : {5, 9, 14}) {  // cells of gas before the plate, which does not lie along their faces
+    GasGridSetup gas{.eos = IdealGas{1.4}, .lower = {-before * h, 0, 0}, .upper = {12 * h, 4 * h, 4 * h}};
+    gas.cells = {before + 12, 4, 4};
+    for (std::size_t side : {2u, 3u, 4u, 5u}) gas.sides[side].kind = GridBoundary::Kind::wall;
+    TriangleSurface plate = make_box({4 * h, 2, 2}, 0.83 * h);
+    for (Vec3& x : plate.vertices) x[0] += 2.3 * h;
+    for (std::size_t a : {1u, 2u}) {
+      plate = clip_surface(plate, a, 0, true, 0.3 * h), plate = clip_surface(plate, a, 4 * h, false, 0.3 * h);
+    }
+    OversetSetup s{.gas = gas, .bodies = {}};
+    s.bodies.push_back({.surface = plate,
+                        .cell = h,
+                        .lower = {0, 0, 0},
+                        .upper = {5 * h, 4 * h, 4 * h},
+                        .initial = {},
+                        .rigid = RigidSetup{.density = 2}});
+    OversetSolver const solver(s, [](Vec3 const&) { return GasPoint{3, {0, 0, 0}, 1}; });
+    GasIntegrals const held = gas_integrals(solver);
+    CHECK(held.volume == Approx((before + 8) * 16 * h * h * h).epsilon(1e-12));
+    CHECK(held.mass == Approx(3 * held.volume).epsilon(1e-12));
+  }
 }
 
 TEST_CASE("a uniform stream carries a cut body along its planes and stays uniform") {

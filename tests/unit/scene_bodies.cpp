@@ -131,6 +131,7 @@ std::vector<Mistake> const mistakes{
     {"axis = [0, 0, 1]", "axis = [0, 0, 0]", "body.0.rotate.axis", "no length", "direction"},
     {"angle = \"10 deg\"", "angle = \"10 cm\"", "body.0.rotate.angle", "not an angle", "45 deg"},
     {"velocity = [\"0 m/s\"", "velocity = [\"0 m\"", "body.0.velocity.0", "not a velocity", "km/s"},
+    {"velocity =", "motion = \"given\"\nvelocity =", "body.0.motion", "for rigid bodies", "strength.type rigid"},
     {"velocity =", "spin = [\"0 rad/s\", \"0 rad\", \"0 rad/s\"]\nvelocity =", "body.0.spin.1", "not an angular velocity", "rad/s"},
     {"material = \"soft\"", "material = \"steel\"", "body.0.material", "'steel'", "soft"},
     {"material = \"soft\"", "material = \"gas\"", "body.0.material", "has no strength", "add strength"},
@@ -153,6 +154,8 @@ std::vector<Mistake> const mistakes{
     {"yield = \"2 MPa\"", "yield = \"0 MPa\"", "material.soft.strength.yield", "not positive", "> 0"},
     {"hardening = \"1 MPa\"", "hardening = \"-1 MPa\"", "material.soft.strength.hardening", "negative", "0 or more"},
     {"eos = { type = \"bulk-modulus\"", "eos = { type = \"ideal\"", "material.soft.eos.type", "'ideal'", "bulk-modulus"},
+    {"type = \"von-mises\", shear = \"0.5 GPa\", yield = \"2 MPa\", hardening = \"1 MPa\"", "type = \"rigid\", yield = \"1 MPa\"", "material.soft.strength.yield", "nothing that a rigid body has", "remove it"},
+    {"type = \"von-mises\", shear = \"0.5 GPa\", yield = \"2 MPa\", hardening = \"1 MPa\"", "type = \"rigid\"", "material.soft.eos", "nothing that a rigid body has", "remove it"},
     {"K = \"2 GPa\"", "k = \"2 GPa\"", "material.soft.eos.k", "unknown key", "'K'"},
     {"density = \"1 g/cm3\"\n", "", "material.soft.density", "missing", "add density"},
     {"strength = { type = \"von-mises\", shear = \"0.5 GPa\", yield = \"2 MPa\", hardening = \"1 MPa\" }\n", "", "material", "2 materials without strength", "one [material.NAME]"},
@@ -310,6 +313,84 @@ TEST_CASE("a run with bodies is resumed bit by bit, and its files are complete",
     CHECK(a.number_attribute("/ledger/body/cube/momentum_x", "through_contact") == impulse);
     CHECK(a.number_attribute("/ledger/momentum_x", "through_contact") == -impulse);
   }
+}
+
+TEST_CASE("a scene with a rigid body beside an elastic one is resumed bit by bit", "[grid-run]") {
+  Folder const folder;
+  std::string text = scene_text;
+  auto const put = [&](std::string const& before, std::string const& what) {
+    std::size_t const at = text.find(before);
+    REQUIRE(at != std::string::npos);
+    text.insert(at, what);
+  };
+  put("[ambient]", "[material.hard]\ndensity = \"3 g/cm3\"\nstrength = { type = \"rigid\" }\n");
+  put("[output]", R"([[body]]
+name = "stone"
+surface = "cube.stl"
+scale = "0.6 cm"
+material = "hard"
+center = ["1.6 cm", "1.6 cm", "2.25 cm"]
+extent = [["0.6 cm", "2.6 cm"], ["0.6 cm", "2.6 cm"], ["1.9 cm", "2.6 cm"]]
+velocity = ["0 m/s", "2 m/s", "0 m/s"]
+spin = ["0 rad/s", "0 rad/s", "500 rad/s"]
+)");
+  // apart
+  text.replace(text.find("1.61 cm"), 7, "1.21 cm");
+  g27::Scene const scene = read(folder, {"time.end=3 us", "expect=[]"}, text);
+  g27::SceneBody const& stone = scene.runs[0].grid->bodies.at(1);
+  REQUIRE(stone.setup.rigid);
+  auto const estimate = g27::body_estimates(scene.runs[0]).at(1);
+  CHECK(estimate.mass == Approx(3000 * 0.216e-6).epsilon(1e-6));
+  CHECK(estimate.window == 0);
+  (void)run_in_pieces(scene, folder.path / "a.h5", 0);
+  (void)run_in_pieces(scene, folder.path / "b.h5", 5);
+  g27::Hdf5Reader const a(folder.path / "a.h5"), b(folder.path / "b.h5");
+  check_same(a, b, "/history");
+  for (char const* state : {"/state/0000", "/state/0001", "/state/0002"}) check_same(a, b, state);
+  CHECK_FALSE(a.has("/state/0002/body/stone/grid"));
+  CHECK(a.has("/state/0002/body/cube/grid"));
+  auto const last = [&](std::string const& column) { return a.read("/history/body/stone/" + column).back(); };
+  CHECK(a.read("/history/body/stone/velocity_y").front() == Approx(2).epsilon(1e-14));
+  // I = m s^2/6
+  CHECK(a.read("/history/body/stone/angular_momentum_z").front() ==
+        Approx(estimate.mass * 0.006 * 0.006 / 6 * 500).epsilon(1e-6));
+  CHECK(std::fabs(last("impulse_x")) > 1e-5);
+  CHECK(last("momentum_x") == Approx(last("impulse_x")).epsilon(1e-13));
+  CHECK(last("mass") == estimate.mass);
+}
+
+TEST_CASE("a rigid body in given motion has a velocity by tables, and planes that cut it hold", "[scene]") {
+  Folder const folder;
+  std::string const text = std::regex_replace(
+      std::regex_replace(std::string(scene_text), std::regex("eos = [{] type = \"bulk-modulus\"[^\n]*\n"), ""),
+      std::regex("strength = [^\n]*"), "strength = { type = \"rigid\" }");
+  auto const error_of = [&](std::string const& motion, std::vector<std::string> const& set = {}) {
+    try {
+      (void)read(folder, set, std::regex_replace(text, std::regex("velocity = [^\n]*"), motion));
+    } catch (g27::InputError const& error) {
+      return error.key + ": " + error.problem;
+    }
+    return std::string("accepted");
+  };
+  std::string const ramp = "[[\"1 us\", \"0 m/s\"], [\"3 us\", \"100 m/s\"]]";
+  std::string const motion = "motion = \"given\"\nvelocity = [\"3 m/s\", " + ramp + ", \"0 m/s\"]";
+  std::string const given = std::regex_replace(text, std::regex("velocity = [^\n]*"), motion);
+  auto const rigid = read(folder, {}, given).runs[0].grid->bodies[0].setup.rigid;
+  REQUIRE(rigid);
+  CHECK(rigid->density == Approx(1000).epsilon(1e-14));
+  CHECK(rigid->velocity == g27::Vec3{3, 0, 0});
+  CHECK(rigid->given(2e-6)[0] == 3);
+  CHECK(rigid->given(2e-6)[1] == Approx(50).epsilon(1e-12));
+  CHECK(error_of("motion = \"given\"") == "body.0.velocity: is missing");
+  CHECK(error_of("motion = \"given\"\nvelocity = [\"0 m/s\"]") == "body.0.velocity: has 1 entries");
+  CHECK(error_of("motion = \"drven\"").find("body.0.motion: ") == 0);
+  CHECK(error_of("pressure = \"1 bar\"") == "body.0.pressure: is nothing that a rigid body has");
+  std::vector<std::string> const cut{
+      "body.0.center=[\"0 cm\", \"1.6 cm\", \"1.6 cm\"]",
+      "body.0.extent=[[\"0 cm\", \"1 cm\"], [\"0.7 cm\", \"2.5 cm\"], [\"0.7 cm\", \"2.5 cm\"]]"};
+  CHECK(error_of("motion = \"given\"\nvelocity = [" + ramp + ", \"0 m/s\", \"0 m/s\"]", cut) ==
+        "body.0.velocity: moves the body across the plane of symmetry that cuts it along x");
+  CHECK(error_of("motion = \"given\"\nvelocity = [\"0 m/s\", " + ramp + ", \"0 m/s\"]", cut) == "accepted");
 }
 
 TEST_CASE("a probe in a body is remarked on", "[scene]") {
