@@ -15,6 +15,7 @@ namespace {
 /// solids all of that layer. With 1.6 a plate that has moved by a third of a cell gains .5 % of its impulse, with 2
 /// less than .02 %; in gas the wider gap between cells and cores would smear a shock that stands in it.
 constexpr double reach_of_cores_in_gas = 1.6, reach_of_cores_in_solids = 2;
+constexpr int beside = 2;  ///< cells beyond the surfaces' box that cores reach
 
 }  // namespace
 
@@ -106,8 +107,8 @@ void CellKinds::classify(std::span<TriangleSurface const* const> surfaces) {
     auto const [lower, upper] = bounding_box(*s);
     Int3 const first = cell_of(lower), last = cell_of(upper);
     for (std::size_t a = 0; a < 3; ++a) {
-      near_first_[a] = std::max(0, std::min(near_first_[a], first[a] - 1));
-      near_last_[a] = std::min(box_.size[a] - 1, std::max(near_last_[a], last[a] + 1));
+      near_first_[a] = std::max(0, std::min(near_first_[a], first[a] - beside));
+      near_last_[a] = std::min(box_.size[a] - 1, std::max(near_last_[a], last[a] + beside));
     }
     double area = 0;  // of the lid that is missing, along its inward normal
     for (std::size_t t = 0; t < s->size(); ++t) area += s->area_vector(t)[0];

@@ -101,7 +101,8 @@ class CellKinds {
   [[nodiscard]] bool in_medium(Vec3 const& x) const noexcept;
   /// Where the line along x through (y, z) crosses the surfaces, and the mirror that closes them: ascending.
   void crossings(double y, double z, std::vector<double>& x) const;
-  /// Those of the window that are up to `more` cells away from the box around the surfaces.
+  /// Those of the window that are up to `more` cells away from the box around the surfaces and the cells beside it,
+  /// which hold all that is valid and not deep.
   [[nodiscard]] CellBlock near(int more) const noexcept;
   /// Calls f with their indices, ascending.
   template <class F>
@@ -141,7 +142,7 @@ class CellKinds {
   void leave_to_cores();
   void reflect_kinds();
 
-  Int3 near_first_{0, 0, 0}, near_last_{-1, -1, -1};  ///< cells of the box around the surfaces, and one more around it
+  Int3 near_first_{0, 0, 0}, near_last_{-1, -1, -1};  ///< cells of the box around the surfaces and those beside it
   WindowBox box_;
   bool inside_;
   std::vector<CellKind> kinds_, before_;
