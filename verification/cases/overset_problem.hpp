@@ -8,7 +8,8 @@
 
 namespace g27 {
 
-/// CFL number of the waves of bodies that scenes may ask for as well: stable by every predictor (study stability-solid).
+/// CFL number of the waves of bodies that scenes may ask for as well: stable by every predictor (study
+/// stability-solid).
 inline constexpr double fast_body_cfl = 1.3;
 
 struct OversetProblem {
