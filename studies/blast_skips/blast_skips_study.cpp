@@ -49,16 +49,26 @@ constexpr std::size_t elastic = 9, elastic_faces = 10, elastic_octant = 11, elas
 
 constexpr double end_us = 20;
 
-/// The cube with triangles that are mirror images of each other: parts of it are then the same body as the whole.
+/// A cube of edge 1 with triangles that are mirror images of each other, in no need to be meshed anew: parts of it are
+/// then the same body as the whole.
 void write_cube(std::filesystem::path const& file) {
-  auto const source = find_scene("equal-mass-cube").parent_path() / "cube-medium.stl";
-  TriangleSurface cube = weld(read_stl(source).facets, 1);
-  Vec3 const middle = mass_properties(cube).centroid;
-  for (Vec3& x : cube.vertices) x = x - middle;
-  constexpr double snap = 0.03;  // of the edge; triangles have 0.1
+  constexpr int squares = 4;  // along half an edge: of .88 cells, with diagonals of 1.24
+  std::vector<std::array<Vec3, 3>> facets;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    cube = unfolded(clip_surface(std::move(cube), axis, 0, true, snap), axis, 0);
+    auto const corner = [&](int i, int j) {
+      Vec3 x{};
+      x[axis] = 0.5, x[(axis + 1) % 3] = 0.5 * i / squares, x[(axis + 2) % 3] = 0.5 * j / squares;
+      return x;
+    };
+    for (int i = 0; i < squares; ++i) {
+      for (int j = 0; j < squares; ++j) {
+        facets.push_back({corner(i, j), corner(i + 1, j), corner(i + 1, j + 1)});
+        facets.push_back({corner(i, j), corner(i + 1, j + 1), corner(i, j + 1)});
+      }
+    }
   }
+  TriangleSurface cube = weld(facets, 1);
+  for (std::size_t axis = 0; axis < 3; ++axis) cube = unfolded(cube, axis, 0);
   write_atomically(file, binary_stl(cube));
 }
 
