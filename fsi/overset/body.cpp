@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fsi/overset/normal_motion.hpp"
+
 namespace g27 {
 
 namespace {
@@ -92,14 +94,15 @@ SolidGridSetup grid_setup(BodySetup const& s, Mirrors const& cut, SolidSchemeOpt
 
 }  // namespace
 
-Body::Body(BodySetup s, GasGrid const& gas_grid, SolidSchemeOptions const& options)
+Body::Body(BodySetup s, GasGrid const& gas_grid, SolidSchemeOptions const& options, Literal const& readings)
     : surface(s.surface),
       cut(find_cut(surface, walls_of(gas_grid.setup()), 1e-3 * s.cell)),
       setup(bounded(std::move(s), cut.mirrors)),
+      literal(readings),
       triangles(surface.size()),
       grid(grid_setup(setup, cut.mirrors, options)),
-      solid(solid_window(setup, cut.mirrors), true),
-      gas(gas_box(setup, gas_grid), false, gas_grid.setup().eos) {
+      solid(solid_window(setup, cut.mirrors), true, {}, literal),
+      gas(gas_box(setup, gas_grid), false, gas_grid.setup().eos, literal) {
   connect(), place_triangles();
   for (TriangleState& t : triangles) t.at_start = t.frame.n;
   if (setup.rigid) {
@@ -138,10 +141,11 @@ void Body::move_vertices(double dt, double growth) {
       TriangleState const& t = triangles[static_cast<std::size_t>(n)];
       Vec3 const r = surface.vertices[v] - t.centre;
       double const w = t.area / dot(r, r);
-      Vec3 const u = t.velocity + dot(r, t.frame.a) * t.gradient[0] + dot(r, t.frame.b) * t.gradient[1];
+      Vec3 u = t.velocity;
+      if (!literal.level_motion) u = u + dot(r, t.frame.a) * t.gradient[0] + dot(r, t.frame.b) * t.gradient[1];
       total = total + w * u, sum += w, normal = normal + t.area * t.frame.n;
     }
-    way[v] = (dt / sum) * total;
+    way[v] = literal.normal_motion ? dt * along_normals(*this, v) : (dt / sum) * total;
     for (std::size_t a = 0; a < 3; ++a) {
       if (cut.on_planes[v][a]) normal[a] = 0;  // as that of the whole body
     }

@@ -57,8 +57,8 @@ struct Region {
   std::vector<Fields> states;  ///< by the window's index; of valid cells
   Donors<Fields> donors;
 
-  Region(WindowBox const& box, bool inside, typename Donors<Fields>::Law const& law = {})
-      : kinds(box, inside), states(kinds.count()), donors(kinds, states, law) {}
+  Region(WindowBox const& box, bool inside, typename Donors<Fields>::Law const& law, Literal const& literal)
+      : kinds(box, inside), states(kinds.count()), donors(kinds, states, law, literal) {}
   /// After states of cells have changed: those of their images, and the donors.
   void update(int threads) {
     for (ImageCell const& i : kinds.images()) states[i.cell] = reflected(states[i.of], i.image);
@@ -72,6 +72,7 @@ struct Body {
   TriangleSurface surface;
   Cut cut;
   BodySetup setup;
+  Literal literal;
   std::vector<std::vector<int>> around;  ///< [vertex]: triangles
   std::vector<TriangleState> triangles;
   SolidGrid grid;
@@ -81,7 +82,7 @@ struct Body {
   GasFields ambient{};             ///< of gas cells that are not of the gas
   std::optional<RigidBody> rigid;  ///< without states, cells and waves of a solid: its triangles are walls
 
-  Body(BodySetup setup, GasGrid const& gas_grid, SolidSchemeOptions const& options);
+  Body(BodySetup setup, GasGrid const& gas_grid, SolidSchemeOptions const& options, Literal const& literal = {});
 
   /// Triangles around the vertices, after the surface has been given other ones.
   void connect();

@@ -104,7 +104,7 @@ ModelStencil Body::stencil(std::size_t triangle, Nearby& nearby) const {
   for_each_cell([&](std::size_t k, std::size_t a, std::size_t b) {
     bool const core = is_core(k, a, b), unread = k == 2 && a != 1 && b != 1;
     Vec3 const x = in_layer(k, h_gas, a, b);
-    if (core) {
+    if (core && !(literal.reinterpolated_cores && gas.kinds.in_medium(x))) {
       s.gas[k][a][b] = into_frame(f, t.gas[k]);
     } else if (unread) {
       s.gas[k][a][b] = s.gas[1][1][1];
@@ -117,7 +117,7 @@ ModelStencil Body::stencil(std::size_t triangle, Nearby& nearby) const {
       for (std::size_t c = 1; c < 3; ++c) q[gas_field::u + c] = 2 * s.velocity[c] - q[gas_field::u + c];
       s.gas[k][a][b] = q;
     }
-    if (core) {
+    if (core && !(literal.reinterpolated_cores && there[k][a][b])) {
       s.solid[k][a][b] = into_frame(f, t.solid[k]);
     } else if (unread && whole) {
       s.solid[k][a][b] = s.solid[1][1][1];
@@ -171,7 +171,7 @@ ModelStencil Body::stencil(std::size_t triangle, Nearby& nearby) const {
         for (std::size_t b = 0; b < 3; ++b) {
           s.solid[k][a][b] = s.solid[k - 1][a][b], s.solid_smooth[k][a][b] = s.solid_smooth[k - 1][a][b];
           add_velocity(s.solid[k][a][b], change), add_velocity(s.solid_smooth[k][a][b], change);
-          set_traction(s.solid[k][a][b], {1, 0, 0}, pressure);
+          if (!literal.continued_stress) set_traction(s.solid[k][a][b], {1, 0, 0}, pressure);
           s.solid_ghost[k][a][b] = true;
         }
       }
@@ -197,7 +197,7 @@ ModelStencil Body::stencil(std::size_t triangle, Nearby& nearby) const {
         SolidFields q = centre;
         Vec3 const side = place(-(layer + 0.5) * h, 0.5 * h, a, b);
         Wall const wall = wall_at(side);
-        set_traction(q, f.into(wall.n), wall.pressure);
+        if (!literal.continued_stress) set_traction(q, f.into(wall.n), wall.pressure);
         for (std::size_t c = 0; c < 3; ++c) q[field::u + c] = smooth[field::u + c];
         s.solid[k][a][b] = q, s.solid_smooth[k][a][b] = smooth, s.solid_ghost[k][a][b] = true;
       }

@@ -263,7 +263,8 @@ void Donors<Fields>::Gathered::take(Gathered const& wide, Vec3 const& middle, Fr
 }
 
 template <class Fields>
-bool Donors<Fields>::Gathered::fit(Vec3 const& x, double radius, std::size_t few, Law const& law, Fields& out) const {
+bool Donors<Fields>::Gathered::fit(Vec3 const& x, double radius, std::size_t few, Law const& law, double excess,
+                                   Fields& out) const {
   thread_local std::vector<double> weight;
   thread_local std::vector<int> near;
   weight.resize(count_ + fit_padding), near.resize(count_ + fit_padding);
@@ -300,7 +301,7 @@ bool Donors<Fields>::Gathered::fit(Vec3 const& x, double radius, std::size_t few
     value[gas_field::rho] = rho, energy = g.mean_energy / rho;
   }
   for (std::size_t f = 0; f < out.size(); ++f) {
-    double const more = is_velocity(f) ? high[f] - low[f] : 0.0;
+    double const more = is_velocity(f) ? excess * (high[f] - low[f]) : 0.0;
     out[f] = std::clamp(value[f], low[f] - more, high[f] + more);
   }
   if constexpr (of_gas) {
@@ -320,7 +321,7 @@ Fields Donors<Fields>::at(Vec3 const& x, From from, Fields const& otherwise) con
     if (donors.size() >= fewest) break;
   }
   if (donors.size() == 0) return otherwise;
-  donors.pad(), donors.fit(in_cells(x), everything, 1, law_, out);
+  donors.pad(), donors.fit(in_cells(x), everything, 1, law_, excess(), out);
   return out;
 }
 
@@ -339,7 +340,7 @@ template <class Fields>
 Fields Donors<Fields>::Around::at(Vec3 const& x, Fields const& otherwise) const {
   Fields out{};
   if (donors_.multilinear(x, From::valid, out)) return out;
-  bool const enough = near_.fit(donors_.in_cells(x), reach, fewest, donors_.law_, out);
+  bool const enough = near_.fit(donors_.in_cells(x), reach, fewest, donors_.law_, donors_.excess(), out);
   return enough ? out : donors_.at(x, From::valid, otherwise);
 }
 

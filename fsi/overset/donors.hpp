@@ -8,6 +8,7 @@
 /// Of gas the densities of mass, momentum and energy are interpolated, which is what cells and cores hold: halfway
 /// across a shock the momentum of the mean density and the mean velocity is not the mean momentum.
 #include "fsi/overset/fit_kernels.hpp"
+#include "fsi/overset/literal.hpp"
 #include "fsi/overset/window.hpp"
 
 namespace g27 {
@@ -19,8 +20,8 @@ class Donors {
   using Law = std::conditional_t<of_gas, AnyEos, std::monostate>;
 
   /// The states of the cells are by the window's index.
-  Donors(CellKinds const& kinds, std::vector<Fields> const& states, Law const& law)
-      : kinds_(kinds), states_(states), law_(law) {}
+  Donors(CellKinds const& kinds, std::vector<Fields> const& states, Law const& law, Literal const& literal = {})
+      : kinds_(kinds), states_(states), law_(law), literal_(literal) {}
 
   [[nodiscard]] Law const& law() const noexcept { return law_; }
   /// To be called when the states of cells have changed.
@@ -51,8 +52,9 @@ class Donors {
     void take(Gathered const& wide, Vec3 const& middle, Frame const& frame, double half, double radius);
     /// Once all are there.
     void pad();
-    /// The fit at x to those within `radius`; false if these are fewer than `fewest`.
-    bool fit(Vec3 const& x, double radius, std::size_t fewest, Law const& law, Fields& out) const;
+    /// The fit at x to those within `radius`; false if these are fewer than `fewest`. Velocities stay within the
+    /// donors' range, extended on either side by `excess` times its width.
+    bool fit(Vec3 const& x, double radius, std::size_t fewest, Law const& law, double excess, Fields& out) const;
 
    private:
     void grow();
@@ -94,8 +96,10 @@ class Donors {
   /// Points in one octant of a cell become one, their mean by densities.
   void merge_cloud() requires of_gas;
   [[nodiscard]] bool gives(std::size_t i, From from) const noexcept {
-    return kinds_.valid(i) && (from == From::valid || kinds_.kind_before(i) == CellKind::deep);
+    if (from == From::own_update) return kinds_.valid(i) && kinds_.kind_before(i) == CellKind::deep;
+    return literal_.deep_donors ? kinds_.kind(i) == CellKind::deep : kinds_.valid(i);
   }
+  [[nodiscard]] double excess() const noexcept { return literal_.clipped_velocities ? 0 : 1; }
   /// The cloud's points in the cells (i0..i1, j, k): from the first to before the second.
   [[nodiscard]] std::array<std::size_t, 2> in_row(int i0, int i1, int j, int k) const noexcept {
     CellBlock const& b = block_;
@@ -121,6 +125,7 @@ class Donors {
   CellKinds const& kinds_;
   std::vector<Fields> const& states_;
   Law law_;
+  Literal literal_;
   std::vector<double> energy_, cloud_energy_;  ///< of gas, total per mass, of the valid cells and of the cloud [J/kg]
   std::vector<CloudPoint<Fields>> cloud_;      ///< in the order of the cells they lie in
   std::vector<Vec3> where_;         ///< their places, in cells: they are searched more often than their states are read

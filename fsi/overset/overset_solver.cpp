@@ -87,7 +87,7 @@ struct OversetSolver::Impl {
     }
     if (setup.solid_options.cfl <= 0) setup.solid_options.cfl = setup.cfl;
     for (BodySetup const& b : setup.bodies) {
-      bodies.push_back(std::make_unique<Body>(b, gas, setup.solid_options));
+      bodies.push_back(std::make_unique<Body>(b, gas, setup.solid_options, setup.literal));
       std::vector<ModelProblems> each;
       for (int k = 0; k < threads; ++k) {
         if (b.rigid) {

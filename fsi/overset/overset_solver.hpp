@@ -14,6 +14,7 @@ struct OversetSetup {
   SolidSchemeOptions solid_options{};  ///< its cfl holds for the solids of model problems too; 0: as of the gas
   ModelOptions local{};                ///< of the model problems
   Remeshing remeshing{};
+  Literal literal{};     ///< readings of the paper that are compared
   bool skip = true;      ///< bodies that nothing has reached are left alone
   bool closure = false;  ///< momentum and angular momentum of the bodies are those that the pressures gave them
   double cfl = 0;        ///< of the gas; 0: chosen, 0.8, or 0.7 with a body that yields

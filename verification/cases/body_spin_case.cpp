@@ -16,7 +16,8 @@ namespace {
 std::vector<CaseParameter> const parameters{
     {"body", 0, "1", "0 cube, 1 sphere, 2 tetrahedron", 0, 2},
     {"turns", 0.25, "1", "revolutions", 1e-3, 10},
-    {"mach", 0.05, "1", "speed of a cube's edge over that of P waves", 1e-3, 0.3}};
+    {"mach", 0.05, "1", "speed of a cube's edge over that of P waves", 1e-3, 0.3},
+    literal_parameter()};
 
 }  // namespace
 
@@ -36,6 +37,7 @@ Case body_spin_case() {
     problem.setup.gas = gas_cube(IdealGas{1.4}, size, n);
     problem.gas = [=](Vec3 const&) { return GasPoint{1e-5 * steel.rho0, {0, 0, 0}, p}; };
     problem.t_end = end;
+    problem.setup.literal = literal_reading(value_of(parameters, options, "literal"));
     BodySetup b{.surface = placed(shape, {1, 2, -1}, 0.4, middle), .material = steel.scheme, .cell = h, .initial = {}};
     double reach = 0;
     for (Vec3 const& x : b.surface.vertices) reach = std::max(reach, length(x - middle));

@@ -22,7 +22,8 @@ std::vector<CaseParameter> const parameters{
     {"periods", 2, "1", "of the exact frequency", 1, 200},
     {"eighths", 0, "1",
      "of the sphere that are computed, 1 2 4 or 8, the rest by planes of symmetry; 0: whole, turned and off the cells",
-     0, 8}};
+     0, 8},
+    literal_parameter()};
 
 /// Volume in time: its zeros give the period, its extrema the amplitude.
 struct Swelling {
@@ -76,6 +77,7 @@ Case breathing_sphere_case() {
     }
     problem.gas = [=](Vec3 const&) { return GasPoint{1e-5 * steel.rho0, {0, 0, 0}, p}; };
     problem.t_end = periods * period;
+    problem.setup.literal = literal_reading(value_of(parameters, options, "literal"));
     problem.setup.solid_options.cfl = fast_body_cfl;
     BodySetup body{.surface = std::move(surface), .material = steel.scheme, .cell = h, .initial = {}};
     // of a symmetric one, the planes are faces of its cells

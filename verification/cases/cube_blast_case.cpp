@@ -18,7 +18,8 @@ std::vector<CaseParameter> const parameters{
     {"angle", 0, "rad", "by which the cube is turned about (0.3, 0.5, 1)", 0, 3.2},
     {"closure", 0, "1", "1: momentum of the body is kept exactly", 0, 1},
     {"elastic", 0, "1", "1: without yield stress", 0, 1},
-    {"remeshing", 1, "1", "0: the surface keeps its triangles", 0, 1}};
+    {"remeshing", 1, "1", "0: the surface keeps its triangles", 0, 1},
+    literal_parameter()};
 
 }  // namespace
 
@@ -39,6 +40,7 @@ Case cube_blast_case() {
     problem.t_end = value_of(parameters, options, "end");
     problem.setup.closure = value_of(parameters, options, "closure") > 0;
     problem.setup.remeshing.on = value_of(parameters, options, "remeshing") > 0;
+    problem.setup.literal = literal_reading(value_of(parameters, options, "literal"));
     BodySetup body{.surface = placed(make_box({edge, edge, edge}, h), {0.3, 0.5, 1},
                                      value_of(parameters, options, "angle"), middle),
                    .material = steel.scheme,

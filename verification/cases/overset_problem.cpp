@@ -40,6 +40,25 @@ TriangleSurface placed(TriangleSurface surface, Vec3 const& axis, double angle, 
   return surface;
 }
 
+CaseParameter literal_parameter() {
+  return {"literal",
+          0,
+          "1",
+          "reading of the paper: 0 as used; 1 cores interpolated in each step; 2 velocities within the donors' range; "
+          "vertices 3 along normals alone, 4 without gradient; 5 no cells of the fourth kind as donors; 6 no traction "
+          "beyond sides",
+          0,
+          6};
+}
+
+Literal literal_reading(double number) {
+  Literal l;
+  bool* const readings[]{nullptr,         &l.reinterpolated_cores, &l.clipped_velocities, &l.normal_motion,
+                         &l.level_motion, &l.deep_donors,          &l.continued_stress};
+  if (bool* const one = readings[std::lround(number)]) *one = true;
+  return l;
+}
+
 Case overset_case(std::string const& name, std::string const& title, std::string const& source, int cells,
                   std::vector<CaseParameter> const& parameters) {
   return {.name = name,

@@ -35,6 +35,10 @@ TriangleSurface clip_at_origin(TriangleSurface surface, int planes, double snap)
 /// The surface turned by `angle` about `axis` (of any length) and moved to `centre`.
 TriangleSurface placed(TriangleSurface surface, Vec3 const& axis, double angle, Vec3 const& centre);
 
+/// Parameter `literal` of a case: a reading of the paper that is compared with what is used.
+CaseParameter literal_parameter();
+Literal literal_reading(double number);
+
 /// A case of this kind; its run is the caller's.
 Case overset_case(std::string const& name, std::string const& title, std::string const& source, int cells,
                   std::vector<CaseParameter> const& parameters);

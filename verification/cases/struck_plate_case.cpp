@@ -25,7 +25,8 @@ std::vector<CaseParameter> const parameters{
     {"stiffness", 5e4, "1", "K + 4 mu/3 of the plate over the gas's pressure", 100, 1e8},
     {"width", 8, "1", "of a plate at an angle, in thicknesses", 2, 40},
     {"solid_cell", 1, "1", "of the plate, over the gas's", 0.25, 4},
-    {"crossings", 4, "1", "end: when waves have crossed the plate this often", 0.1, 100}};
+    {"crossings", 4, "1", "end: when waves have crossed the plate this often", 0.1, 100},
+    literal_parameter()};
 
 // units: the plate's thickness, density and pressure of the gas ahead; of one that drives the plate, in front
 constexpr double before = 2.5, behind = 1.5;  ///< room along the normal
@@ -129,6 +130,7 @@ Case struck_plate_case() {
       return mean;
     };
     problem.t_end = t_end;
+    problem.setup.literal = literal_reading(value_of(parameters, options, "literal"));
     problem.setup.solid_options.cfl = fast_body_cfl;
     double const span = 3 * across * h, edge = 0.9 * hs;
     TriangleSurface surface =
