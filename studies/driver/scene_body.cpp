@@ -15,7 +15,9 @@
 namespace g27 {
 namespace {
 
-constexpr double fewest_across = 3;  ///< of its own grid across a body: what a plate needs (study fsi-slab)
+constexpr double fewest_across = 3;     ///< of its own grid across a body: what a plate needs (study fsi-slab)
+constexpr double most_triangles = 1e6;  ///< of a body
+constexpr double lightest = 0.03;       ///< rigid body that is stable in a shock, over the gas's density
 
 std::vector<std::string> const body_keys{"name", "surface",  "scale", "center", "rotate",   "velocity",
                                          "spin", "material", "cell",  "extent", "pressure", "motion"};
@@ -201,6 +203,11 @@ SceneBody read_body(Section const& root, Section const& section, GridBox const& 
     throw section.error("cell", fmt::format("makes the body {:.2g} cells thin", across / setup.cell),
                         fmt::format("choose it below {:.3g} m, or check scale", across / fewest_across));
   }
+  if (double const triangles = 2 * mass.area / (setup.cell * setup.cell); triangles > most_triangles) {
+    throw section.error(
+        "cell", fmt::format("makes about {:.2g} triangles", triangles),
+        fmt::format("choose it above {:.3g} m, or check scale", std::sqrt(2 * mass.area / most_triangles)));
+  }
   mesh_surface(section, setup.cell, loaded);
   body.whole = setup.surface = std::move(loaded.surface);
   cut_at(section, body.cut, setup.cell, setup.surface);
@@ -209,6 +216,13 @@ SceneBody read_body(Section const& root, Section const& section, GridBox const& 
 
   if (solid.rigid) {
     setup.rigid = read_rigid(section, body.cut, solid.density);
+    double const least = lightest * point(mass_properties(body.whole).centroid).rho;
+    if (!setup.rigid->given && solid.density < least) {
+      throw section.error(
+          "material",
+          fmt::format("is of {:.3g} kg/m3, so light beside the gas that its motion would be unstable", solid.density),
+          fmt::format("take one of {:.3g} kg/m3 at least", least));
+    }
     return body;
   }
   if (section.has("motion")) {

@@ -11,10 +11,11 @@
 namespace g27 {
 namespace {
 
-constexpr double overlap = 1e-9;  ///< of obstacles that touch, over the charge's radius
+constexpr double overlap = 1e-9;            ///< of obstacles that touch, over the charge's radius
+constexpr double overlap_of_blocks = 0.03;  ///< in cells: rays may miss an edge by .02
 
-Obstacle grown(Distance distance, double radius) {
-  return [distance = std::move(distance), by = overlap * radius](Vec3 const& x) { return distance(x) - by; };
+Obstacle grown(Distance distance, double by) {
+  return [distance = std::move(distance), by](Vec3 const& x) { return distance(x) - by; };
 }
 
 struct NamedObstacle {
@@ -31,11 +32,13 @@ std::vector<NamedObstacle> obstacles_of(Charge const& charge, GasGridSetup const
     SolidBlock const& block = grid.blocks[n];
     if (distance_to_block(block, box, charge.centre) >= charge.radius) continue;
     std::vector<std::array<double, 2>> extent;
+    double width = 1e300;
     for (std::size_t d = 0; d < static_cast<std::size_t>(dimensions_of(box)); ++d) {
       double const h = (box.upper[d] - box.lower[d]) / box.cells[d];
       extent.push_back({box.lower[d] + h * block.first[d], box.lower[d] + h * block.last[d]});
+      width = std::min(width, h);
     }
-    out.push_back({fmt::format("block.{}", n), grown(distance_to_box(extent), charge.radius)});
+    out.push_back({fmt::format("block.{}", n), grown(distance_to_box(extent), overlap_of_blocks * width)});
   }
   return out;
 }
@@ -70,7 +73,7 @@ void set_part(LightingSetup& setup, Charge const& charge, GridBox const& box) {
 std::vector<Obstacle> read_obstacles(Section const& charge, double radius, int dimensions) {
   std::vector<Obstacle> out;
   for (Section const& section : charge.tables("obstacle", shape_keys())) {
-    out.push_back(grown(read_shape(section, dimensions), radius));
+    out.push_back(grown(read_shape(section, dimensions), overlap * radius));
   }
   return out;
 }

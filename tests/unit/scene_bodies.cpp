@@ -131,6 +131,8 @@ std::vector<Mistake> const mistakes{
     {"axis = [0, 0, 1]", "axis = [0, 0, 0]", "body.0.rotate.axis", "no length", "direction"},
     {"angle = \"10 deg\"", "angle = \"10 cm\"", "body.0.rotate.angle", "not an angle", "45 deg"},
     {"velocity = [\"0 m/s\"", "velocity = [\"0 m\"", "body.0.velocity.0", "not a velocity", "km/s"},
+    {"density = \"1 g/cm3\"\neos = { type = \"bulk-modulus\", K = \"2 GPa\" }\nstrength = { type = \"von-mises\", shear = \"0.5 GPa\", yield = \"2 MPa\", hardening = \"1 MPa\" }", "density = \"0.1 kg/m3\"\nstrength = { type = \"rigid\" }", "body.0.material", "unstable", "at least"},
+    {"material = \"soft\"", "material = \"soft\"\ncell = \"2 um\"", "body.0.cell", "triangles", "choose it above"},
     {"velocity =", "motion = \"given\"\nvelocity =", "body.0.motion", "for rigid bodies", "strength.type rigid"},
     {"velocity =", "spin = [\"0 rad/s\", \"0 rad\", \"0 rad/s\"]\nvelocity =", "body.0.spin.1", "not an angular velocity", "rad/s"},
     {"material = \"soft\"", "material = \"steel\"", "body.0.material", "'steel'", "soft"},

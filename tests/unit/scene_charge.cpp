@@ -184,13 +184,15 @@ TEST_CASE("a front goes around obstacles and blocks of its charge", "[scene][cha
   CHECK(inert > 25);
   CHECK(behind > 40);
 
-  // a rigid block, and the same box without explosive
+  // a rigid block, and the same box without explosive; blocks are taken .03 cells wider, so that corners
+  // close, and both times are late by up to a quarter of a cell where ways meet
   std::string const extent = "extent = [[\"2 cm\", \"4 cm\"], [\"0 cm\", \"2 cm\"], [\"0 cm\", \"2 cm\"]]";
   g27::GridRun const block = read("[[block]]\n" + extent + "\n");
   g27::GridRun const hole = read("obstacle = [{ shape = \"box\", " + extent + " }]\n");
   int delayed = 0;
   each(block, [&](g27::Vec3 const& x, double lit_at, double) {
-    CHECK(lit_at == hole.setup.burn.lighting(x));
+    CHECK(lit_at >= hole.setup.burn.lighting(x) - 0.02 * 0.005 / exact.speed);
+    CHECK(lit_at <= hole.setup.burn.lighting(x) + 0.3 * 0.005 / exact.speed);
     bool const inside = x[0] > 0.02 && x[0] < 0.04 && x[1] < 0.02 && x[2] < 0.02;
     CHECK((lit_at >= 0) == (!inside && free.setup.burn.lighting(x) >= 0));
     delayed += lit_at > free.setup.burn.lighting(x) ? 1 : 0;
@@ -218,6 +220,8 @@ TEST_CASE("fronts that cannot start or have no way are refused with key and reme
       {lit + "obstacle = [{ shape = \"sphere\", center = [\"0 cm\", \"0 cm\", \"1 cm\"], radius = \"1.1 cm\" }]\n", "charge.0.ignition", "in charge.0.obstacle.0", "in no block or obstacle"},
       {lit + "ignition = [[\"-1 cm\", \"0 cm\", \"0 cm\"]]\n" + corner, "charge.0.ignition", "outside the domain", "in the domain"},
       {lit + block("[\"2 cm\", \"4 cm\"]", "[\"0 cm\", \"8 cm\"]"), "charge.0.ignition", "without a way", "light every part"},
+      // blocks that share a corner leave no way
+      {lit + block("[\"2 cm\", \"8 cm\"]", "[\"0 cm\", \"2 cm\"]") + block("[\"0 cm\", \"2 cm\"]", "[\"2 cm\", \"8 cm\"]"), "charge.0.ignition", "without a way", "light every part"},
       {centre + corner, "charge.0.radius", "reaches into block.0", "start = \"ignition\""},
       {centre + "obstacle = []\n", "charge.0.obstacle", "unknown key", "radius"},
       {lit + "obstacle = [{ shape = \"ball\" }]\n", "charge.0.obstacle.0.shape", "'ball'", "sphere"},

@@ -67,6 +67,7 @@ Case freestream_bodies_case() {
     OversetProblem problem;
     problem.setup.gas = gas_cube(IdealGas{1.4}, size, n);
     int const planes = static_cast<int>(std::lround(value_of(parameters, options, "planes")));
+    if (body == 3 && planes > 0) throw std::invalid_argument("planes: cut one body, not two; take body 0, 1 or 2");
     for (std::size_t a = 0; a < static_cast<std::size_t>(planes); ++a) {
       problem.setup.gas.sides[2 * a].kind = GridBoundary::Kind::wall;
       u[a] = way[a] = middle[a] = 0;

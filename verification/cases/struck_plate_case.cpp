@@ -76,6 +76,7 @@ Case struck_plate_case() {
     Vec3 const normal{std::cos(angle), std::sin(angle), 0}, along{-normal[1], normal[0], 0};
     double const drive = value("drive"), p_back = drive > 0 ? 1 / drive : 1;
     bool const driven = drive > 0;
+    if (drive == 1) throw std::invalid_argument("drive: gases of one pressure drive nothing; take another ratio, or 0");
     StruckPlate::Gas const at_back{1.4, p_back, p_back};
     StruckPlate::Front const in_front =
         driven ? StruckPlate::Front{1, 0, 1, 0} : StruckPlate::behind_shock(at_back, mach);
