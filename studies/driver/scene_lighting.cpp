@@ -12,7 +12,7 @@ namespace g27 {
 namespace {
 
 constexpr double overlap = 1e-9;            ///< of obstacles that touch, over the charge's radius
-constexpr double overlap_of_blocks = 0.03;  ///< in cells: rays may miss an edge by .02
+constexpr double overlap_of_blocks = 0.03;  ///< that may share a corner, in cells: rays may miss an edge by .02
 
 Obstacle grown(Distance distance, double by) {
   return [distance = std::move(distance), by](Vec3 const& x) { return distance(x) - by; };
@@ -38,7 +38,9 @@ std::vector<NamedObstacle> obstacles_of(Charge const& charge, GasGridSetup const
       extent.push_back({box.lower[d] + h * block.first[d], box.lower[d] + h * block.last[d]});
       width = std::min(width, h);
     }
-    out.push_back({fmt::format("block.{}", n), grown(distance_to_box(extent), overlap_of_blocks * width)});
+    out.push_back(
+        {fmt::format("block.{}", n),
+         grown(distance_to_box(extent), grid.blocks.size() > 1 ? overlap_of_blocks * width : overlap * charge.radius)});
   }
   return out;
 }
