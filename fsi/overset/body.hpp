@@ -12,6 +12,10 @@
 
 namespace g27 {
 
+/// CFL number of the waves of bodies, at most (study stability-solid).
+inline constexpr double largest_body_cfl = 1.4;
+inline constexpr double largest_parabolic_body_cfl = 1.3;  ///< that of order 3
+
 struct BodySetup {
   TriangleSurface surface;  ///< closed, or open where walls of the domain cut the body: clip_surface
   AnySolid material{};

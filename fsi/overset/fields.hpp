@@ -37,4 +37,14 @@ SolidFields fields_of(AnySolidEos const& eos, SolidDensities const& q) noexcept;
 inline Vec3 velocity_of(GasFields const& q) noexcept { return {q[1], q[2], q[3]}; }
 inline Vec3 velocity_of(SolidFields const& q) noexcept { return {q[1], q[2], q[3]}; }
 
+/// rho c^2 of a gas, K of a solid [Pa].
+template <class AnyLaw, class Fields>
+double bulk_modulus(AnyLaw const& any, Fields const& q) {
+  return std::visit([&](auto const& eos) { return eos.bulk_modulus(q[0], q[4]); }, any);
+}
+/// Modulus of P waves, K + 4 mu/3 [Pa].
+inline double p_wave_modulus(AnySolid const& material, SolidFields const& q) {
+  return bulk_modulus(material.eos, q) + 4.0 / 3.0 * material.mu;
+}
+
 }  // namespace g27

@@ -292,15 +292,12 @@ struct OversetSolver::Impl {
         TriangleState const& t = b->triangles[n];
         GasFields const& q = t.gas[0];
         Vec3 const v = t.frame.into(velocity_of(q) - t.velocity);
-        double const K = std::visit(
-            [&](auto const& eos) { return eos.bulk_modulus(q[gas_field::rho], q[gas_field::p]); }, setup.gas.eos);
+        double const K = bulk_modulus(setup.gas.eos, q);
         rate = std::max(
             rate, (std::fabs(v[0]) + std::fabs(v[1]) + std::fabs(v[2]) + 3 * std::sqrt(K / q[gas_field::rho])) / h_gas);
         if (b->rigid) continue;
         SolidFields const& s = t.solid[0];
-        double const M =
-            std::visit([&](auto const& eos) { return eos.bulk_modulus(s[0], s[4]); }, b->setup.material.eos) +
-            4.0 / 3.0 * b->setup.material.mu;
+        double const M = p_wave_modulus(b->setup.material, s);
         solid_rate = std::max(solid_rate, 3 * std::sqrt(M / s[0]) / b->setup.cell);
       }
       dt = std::min({dt, setup.cfl / rate, setup.solid_options.cfl / solid_rate});

@@ -18,9 +18,7 @@ void start_rigid_step(Body& body, AnyEos const& gas, double time, double dt) {
   std::vector<RigidBody::Push> pushes;
   for (TriangleState& t : body.triangles) {
     for (Vec3* axis : {&t.frame.n, &t.frame.a, &t.frame.b}) *axis = turned(turn, *axis);
-    double const rho = t.gas[0][gas_field::rho], p = t.gas[0][gas_field::p];
-    double const K = std::visit([&](auto const& eos) { return eos.bulk_modulus(rho, p); }, gas);
-    double const resistance = std::sqrt(K * rho) * t.area;
+    double const resistance = std::sqrt(bulk_modulus(gas, t.gas[0]) * t.gas[0][gas_field::rho]) * t.area;
     pushes.push_back({.arm = turned(turn, t.centre - rigid.state.centre),
                       .normal = t.frame.n,
                       .force = resistance * dot(t.velocity, t.frame.n) - t.pressure * t.area,

@@ -17,8 +17,7 @@ void tie_thin_gaps(Body& body, double dt) {
   for (TriangleState& t : body.triangles) {
     if (body.gas.kinds.in_medium(core_centre(t, 1, h))) continue;
     GasFields const& q = t.gas[0];
-    double const K = std::visit([&](auto const& eos) { return eos.bulk_modulus(q[gas_field::rho], q[gas_field::p]); },
-                                body.gas.donors.law());
+    double const K = bulk_modulus(body.gas.donors.law(), q);
     double const part = 1 - std::exp(-rate * std::sqrt(K / q[gas_field::rho]) * dt / h);
     for (std::size_t f = 0; f < gas_field::count; ++f) t.gas[1][f] += part * (q[f] - t.gas[1][f]);
   }

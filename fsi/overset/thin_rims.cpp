@@ -26,9 +26,7 @@ bool tie_thin_rims(Body& body, double dt) {
     TriangleState const& t = body.triangles[n];
     if (body.solid.kinds.in_medium(core_centre(t, core_layers, -h))) continue;
     SolidFields const& s = t.solid[0];
-    double const M =
-        std::visit([&](auto const& eos) { return eos.bulk_modulus(s[0], s[4]); }, body.setup.material.eos) +
-        4.0 / 3.0 * body.setup.material.mu;
+    double const M = p_wave_modulus(body.setup.material, s);
     double const crossed = std::sqrt(M / s[0]) * dt / h;  // cells, by a P wave
     bool const thicker = body.solid.kinds.in_medium(core_centre(t, 1, -h));
     double const part = 1 - std::exp(-(thicker ? rate_of_thicker : rate) * crossed);

@@ -66,10 +66,6 @@ struct SceneBody {
   BodySetup setup;
 };
 
-/// CFL number of bodies in three dimensions that a scene may ask for at most (study stability-solid).
-inline constexpr double largest_body_cfl = 1.4;
-inline constexpr double largest_parabolic_body_cfl = 1.3;  ///< that of order 3
-
 /// What a run on a grid of two or three dimensions has in the place of a line's setup.
 struct GridRun {
   GasGridSetup setup;

@@ -214,9 +214,10 @@ SceneBody read_body(Section const& root, Section const& section, GridBox const& 
   body.fingerprint = loaded.fingerprint, body.remarks = std::move(loaded.remarks);
   set_extent(section, box, body.cut, setup);
 
+  Vec3 const centre = mass_properties(body.whole).centroid;
   if (solid.rigid) {
     setup.rigid = read_rigid(section, body.cut, solid.density);
-    double const least = lightest * point(mass_properties(body.whole).centroid).rho;
+    double const least = lightest * point(centre).rho;
     if (!setup.rigid->given && solid.density < least) {
       throw section.error(
           "material",
@@ -228,7 +229,6 @@ SceneBody read_body(Section const& root, Section const& section, GridBox const& 
   if (section.has("motion")) {
     throw section.error("motion", "is for rigid bodies", "remove it, or choose a material with strength.type rigid");
   }
-  Vec3 const centre = mass_properties(body.whole).centroid;
   auto const [u, spin] = motion_at_start(section, body.cut);
   double const pressure = section.has("pressure") ? section.quantity("pressure", dimension::pressure) : point(centre).p;
   SolidPoint const rest = solid_at_rest(solid, pressure);

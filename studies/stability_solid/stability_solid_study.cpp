@@ -7,8 +7,8 @@
 #include <cmath>
 #include <random>
 
+#include "fsi/overset/body.hpp"
 #include "scheme/step/solid_grid.hpp"
-#include "studies/driver/scene.hpp"
 #include "studies/driver/study.hpp"
 #include "verification/cases/solid_media.hpp"
 #include "verification/exact/von_neumann.hpp"

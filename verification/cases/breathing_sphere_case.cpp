@@ -78,7 +78,7 @@ Case breathing_sphere_case() {
     problem.gas = [=](Vec3 const&) { return GasPoint{1e-5 * steel.rho0, {0, 0, 0}, p}; };
     problem.t_end = periods * period;
     problem.setup.literal = literal_reading(value_of(parameters, options, "literal"));
-    problem.setup.solid_options.cfl = fast_body_cfl;
+    problem.setup.solid_options.cfl = largest_parabolic_body_cfl;
     BodySetup body{.surface = std::move(surface), .material = steel.scheme, .cell = h, .initial = {}};
     // of a symmetric one, the planes are faces of its cells
     double const reach = eighths > 0 ? std::ceil(1.1 * radius / h) * h : 1.1 * radius;

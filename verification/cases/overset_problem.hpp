@@ -8,10 +8,6 @@
 
 namespace g27 {
 
-/// CFL number of the waves of bodies that scenes may ask for as well: stable by every predictor (study
-/// stability-solid).
-inline constexpr double fast_body_cfl = 1.3;
-
 struct OversetProblem {
   OversetSetup setup;
   std::function<GasPoint(Vec3 const&)> gas;  ///< state at the start

@@ -132,7 +132,7 @@ Case struck_plate_case() {
     };
     problem.t_end = t_end;
     problem.setup.literal = literal_reading(value_of(parameters, options, "literal"));
-    problem.setup.solid_options.cfl = fast_body_cfl;
+    problem.setup.solid_options.cfl = largest_parabolic_body_cfl;
     double const span = 3 * across * h, edge = 0.9 * hs;
     TriangleSurface surface =
         placed(make_box({1, spans ? span : width, span}, edge), {0, 0, 1}, angle, middle + 0.5 * normal);
