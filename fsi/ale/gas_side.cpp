@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scheme/predictor/one_sided.hpp"
 #include "scheme/predictor/parabolic.hpp"
 
 namespace g27 {
@@ -14,13 +15,6 @@ constexpr double least_share = 0.02;  ///< of density and pressure margin, that 
 constexpr double most_beyond = 0.5;   ///< change of density and margin to the cell beyond the contact, relative
 
 RowOut row_out(LaneRows<5>& r) noexcept { return {r[0], {r[1], r[2], r[3]}, r[4]}; }
-
-/// Share of the slope B that the graded switch leaves, D being the one upwind of it.
-double graded_share(double D, double B) noexcept {
-  double const product = D * B;
-  if (2 * product >= B * B) return 1;
-  return product > 0 ? 2 * D / B : 0;
-}
 
 }  // namespace
 
@@ -127,20 +121,22 @@ GasTrace GasSide::trace(std::size_t lane, double dt, bool first_order) {
   if (first_order || options_.predictor == Predictor::godunov) return cell;
   double const c = std::sqrt(q(K, 0) / cell.rho), Z = cell.rho * c;
   auto const difference = [&](std::size_t f, int from) { return q(f, from + 1) - q(f, from); };
-  double share = 1, share_entropy = 1;
-  if (options_.monotonicity != Switch::off) {
-    auto const family = [&](int from) { return difference(p, from) - Z * difference(u, from); };
-    auto const entropy = [&](int from) { return difference(rho, from) - difference(p, from) / (c * c); };
-    share = graded_share(family(1), family(0)), share_entropy = graded_share(entropy(1), entropy(0));
-  }
+  auto const switched = [&](double far, double d) {
+    return options_.monotonicity == Switch::off ? d : graded_share(far, d) * d;
+  };
+  // amplitudes of the waves to and from the contact and of entropy, switched each by itself: where one of them is
+  // nothing but round-off, that must not decide about the others
+  auto const wave = [&](double sign) {
+    auto const amplitude = [&](int from) { return difference(p, from) + sign * Z * difference(u, from); };
+    return switched(amplitude(1), amplitude(0));
+  };
+  auto const entropy = [&](int from) { return difference(rho, from) - difference(p, from) / (c * c); };
+  double const to = wave(-1), fro = wave(1), dp = 0.5 * (fro + to), du = 0.5 * (fro - to) / Z;
   // what reaches the contact at half the step starts c dt/2 away from it; entropy stands there
-  double const x = share * (0.5 * c * dt / h_ - 0.5), x0 = -0.5 * share_entropy;
+  double const x = 0.5 * c * dt / h_ - 0.5;
   Terms const& t = term(0, 0, 0);
-  GasTrace s{
-      .rho = 0, .u = cell.u + x * difference(u, 0) + t[u][lane], .p = cell.p + x * difference(p, 0) + t[p][lane]};
-  double const rho_wall = cell.rho + x0 * difference(rho, 0) + t[rho][lane];
-  double const p_wall = cell.p + x0 * difference(p, 0) + t[p][lane];
-  s.rho = rho_wall + (s.p - p_wall) / (c * c);
+  GasTrace s{.rho = 0, .u = cell.u + x * du + t[u][lane], .p = cell.p + x * dp + t[p][lane]};
+  s.rho = cell.rho - 0.5 * switched(entropy(1), entropy(0)) + t[rho][lane] + (s.p - cell.p - t[p][lane]) / (c * c);
   double const left = std::visit([&](auto const& eos) { return eos.pressure_margin(s.rho, s.p); }, eos_);
   bool const near =
       s.rho > 0.3 * cell.rho && s.rho < 3 * cell.rho && left > 0.3 * q(margin, 0) && left < 3 * q(margin, 0);
@@ -152,15 +148,16 @@ void GasSide::faces(int axis, std::array<int, 3> cell, bool far_left, bool far_r
   std::size_t const a = static_cast<std::size_t>(axis);
   PredictorKernel const kernel = first_order ? PredictorKernel::godunov : predictor_;
   if (kernel == PredictorKernel::godunov) left = right = nullptr;
-  bool free[model_lanes];
+  double free[model_lanes] = {};
   for (std::size_t lane = 0; lane < model_lanes; ++lane) {
-    double const stiff = block_.at(K, cell[0], cell[1], cell[2])[lane];
-    double const Z = std::sqrt(stiff * block_.at(rho, cell[0], cell[1], cell[2])[lane]);
+    if (far_left && far_right) break;
+    auto const [i, j, k] = known_side(axis, cell, far_left);
+    double const stiff = block_.at(K, i, j, k)[lane], Z = std::sqrt(stiff * block_.at(rho, i, j, k)[lane]);
     auto const dp = differences(block_, p, axis, cell, far_left, lane);
     auto const du = differences(block_, u + a, axis, cell, far_left, lane);
     double const most = quiet * stiff / exponent_;
-    free[lane] = !(far_left && far_right) && plain(dp.far + Z * du.far, dp.face + Z * du.face, most) &&
-                 plain(dp.far - Z * du.far, dp.face - Z * du.face, most);
+    free[lane] = std::min(plainness(dp.far + Z * du.far, dp.face + Z * du.face, most),
+                          plainness(dp.far - Z * du.far, dp.face - Z * du.face, most));
   }
   gather(block_, axis, cell, far_left, far_right, free, stencil_);
   auto const at = [&](std::size_t field) -> double const* { return stencil_.q[field][1]; };

@@ -1,5 +1,6 @@
 #pragma once
 /// Storage of the model problems that are solved together: a row of one cell holds that cell of every problem.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -58,17 +59,29 @@ KnownDifferences differences(LaneBlock<fields> const& block, std::size_t field, 
   return {q[s] - q[2 * s], q[0] - q[s]};
 }
 
-/// Whether the parabola through three cells is monotone between the two beside the face, or its bend next to nothing.
-inline bool plain(double far, double face, double quiet) noexcept {
-  return std::fabs(face - far) <= quiet || (face + far) * (3 * face - far) >= 0;
+/// That of the two cells beside a face, the left one given, beyond which one more is known: mirror images have each
+/// other's.
+inline std::array<int, 3> known_side(int axis, std::array<int, 3> cell, bool far_left) noexcept {
+  if (!far_left) ++cell[static_cast<std::size_t>(axis)];
+  return cell;
+}
+
+/// How far the switch may be left out where one far cell is not known: 1 unless the known differences point against
+/// each other, the far one being the larger, and their bend is more than `quiet`. Without a jump, so that round-off
+/// does not choose: 1 on the edges of that range as well, 0 from a quarter of it inwards and from twice `quiet` on.
+inline double plainness(double far, double face, double quiet) noexcept {
+  double const bend = std::fabs(face - far), beyond = std::fabs(far) - std::fabs(face);
+  if (bend <= quiet || far * face >= 0 || beyond <= 0) return 1;
+  double const turning = 4 * std::min(std::fabs(face), beyond) / std::fabs(far), loud = bend / quiet - 1;
+  return 1 - std::min({1.0, turning, loud});
 }
 
 /// Cells of the stencil of a face from the block, the left one at (i, j, k). Beyond the block a difference is taken
 /// for that on the other side, so that the monotonicity switch sees what is known.
-/// `free`: lanes on whose face the switch has nothing to see.
+/// `free`: how far the switch is to see nothing on the face of each lane, 0 to 1.
 template <std::size_t fields>
 void gather(LaneBlock<fields> const& block, int axis, std::array<int, 3> cell, bool far_left, bool far_right,
-            bool const* free, LaneStencil<fields>& to) noexcept {
+            double const* free, LaneStencil<fields>& to) noexcept {
   std::ptrdiff_t const at = LaneBlock<fields>::index(cell[0], cell[1], cell[2]);
   std::ptrdiff_t const s = LaneBlock<fields>::stride[static_cast<std::size_t>(axis)];
   for (std::size_t f = 0; f < fields; ++f) {
@@ -78,9 +91,8 @@ void gather(LaneBlock<fields> const& block, int axis, std::array<int, 3> cell, b
       double const a = q[n], b = q[n + s];
       double const z = far_left ? q[n - s] : a - (q[n + 2 * s] - b);
       double const y = far_right ? q[n + 2 * s] : b + (a - q[n - s]);
-      bool const open = free != nullptr && free[i];
-      to.q[f][0][i] = open ? a - (b - a) : z, to.q[f][1][i] = a;
-      to.q[f][2][i] = b, to.q[f][3][i] = open ? b + (b - a) : y;
+      to.q[f][0][i] = z + free[i] * (a - (b - a) - z), to.q[f][1][i] = a;
+      to.q[f][2][i] = b, to.q[f][3][i] = y + free[i] * (b + (b - a) - y);
     }
   }
 }

@@ -163,25 +163,30 @@ void SolidSide::respond(double dt, std::array<double, model_lanes> const& pressu
 void SolidSide::faces(int axis, std::array<int, 3> at, bool far_left, bool far_right, bool const* free, Terms& left,
                       Terms& right, double dt, bool first_order, Flux& out) {
   bool const godunov = first_order || options_.predictor == Predictor::godunov;
-  bool open[model_lanes];
+  double open[model_lanes];
   for (std::size_t lane = 0; lane < model_lanes; ++lane) {
-    auto const q = [&](int field) { return block_.at(static_cast<std::size_t>(field), at[0], at[1], at[2])[lane]; };
+    auto const [i, j, k] = known_side(axis, at, far_left);
+    auto const q = [&](int field) { return block_.at(static_cast<std::size_t>(field), i, j, k)[lane]; };
     auto const known = [&](int field) {
       return differences(block_, static_cast<std::size_t>(field), axis, at, far_left, lane);
     };
     double const M = q(cell::K) + 4.0 / 3.0 * strength_.mu, Z = std::sqrt(M * q(cell::rho));
     double const Z_shear = std::sqrt(strength_.mu * q(cell::rho)), most = quiet * M;
     auto const family = [&](KnownDifferences const& s, KnownDifferences const& u, double z) {
-      return plain(s.far + z * u.far, s.face + z * u.face, most) && plain(s.far - z * u.far, s.face - z * u.face, most);
+      return std::min(plainness(s.far + z * u.far, s.face + z * u.face, most),
+                      plainness(s.far - z * u.far, s.face - z * u.face, most));
     };
+    if (free != nullptr && free[lane]) {
+      open[lane] = 1;
+      continue;
+    }
     auto const S = known(cell::S + axis), p = known(cell::p);
-    bool all = family({S.far - p.far, S.face - p.face}, known(cell::u + axis), Z);
-    for (int other = 1; other < 3 && all; ++other) {
+    open[lane] = family({S.far - p.far, S.face - p.face}, known(cell::u + axis), Z);
+    for (int other = 1; other < 3; ++other) {
       int const c = (axis + other) % 3;
       std::size_t const shear = tensor_place[static_cast<std::size_t>(axis)][static_cast<std::size_t>(c)];
-      all = family(known(cell::S + static_cast<int>(shear)), known(cell::u + c), Z_shear);
+      open[lane] = std::min(open[lane], family(known(cell::S + static_cast<int>(shear)), known(cell::u + c), Z_shear));
     }
-    open[lane] = (free != nullptr && free[lane]) || all;
   }
   gather(block_, axis, at, far_left, far_right, open, stencil_);
   SolidFaceArguments f{.faces = model_lanes,

@@ -139,20 +139,25 @@ ModelStencil Body::stencil(std::size_t triangle, Nearby& nearby) const {
     slope[k] = slope_of(s.solid[k], there[k]);
     if (!slope[k].known && k < 2) slope[k] = slope[k + 1];
   }
-  // the triangle, or its image, whose centre is nearest: what acts on that side of the body
+  // the triangle, or its image, whose centre is nearest: what acts on that side of the body; the mean of those that are
+  // equally near, for round-off and the order of the triangles would choose among them
   struct Wall {
     Vec3 n;
     double pressure;
   };
   auto const wall_at = [&](Vec3 const& x) {
-    double best = 1e300;
+    constexpr double same = 1 + 1e-6;
+    double best = 1e300, count = 0;
     Wall found{f.n, t.pressure};
     solid.donors.for_each_near(x, 2, [&](CloudPoint<SolidFields> const& point) {
       Vec3 const r = point.foot - x;
-      if (!(dot(r, r) < best)) return;
+      double const away = dot(r, r);
+      if (away > same * best) return;
       TriangleState const& other = triangles[static_cast<std::size_t>(point.triangle)];
-      best = dot(r, r), found = {reflected(other.frame.n, point.image), other.pressure};
+      if (same * away < best) best = away, found = {{0, 0, 0}, 0}, count = 0;
+      found.n = found.n + reflected(other.frame.n, point.image), found.pressure += other.pressure, count += 1;
     });
+    if (count > 0) found = {(1 / length(found.n)) * found.n, found.pressure / count};
     return found;
   };
   // where the local grid does not tell how the velocity goes on, it turns with the body: fits to what is around a tip

@@ -55,7 +55,7 @@ template <class Cells, class W, Lane V>
   return carry(out.foot, w.path(w.project(face_s - out.foot.traction())), face_u, face_s);
 }
 
-/// The state at the face, extrapolated where the normal stress is monotone, with rho c^2 and f there.
+/// The state at the face, extrapolated as far as the switch on the normal stress lets it, with rho c^2 and f there.
 template <Lane V>
 struct BoundaryState {
   SolidState<V> state;
@@ -68,12 +68,11 @@ G27_INLINE BoundaryState<V> extrapolated_state(SolidBoundaryArguments const& g, 
   SolidState<V> const c0 = q.state<V>(f), c1 = q.state<V>(f + g.inward), c2 = q.state<V>(f + 2 * g.inward);
   V const d = cells.gradient(V(c0.traction()[0] - c1.traction()[0]), 1), zero(0.0);
   V const far = cells.gradient(V(c1.traction()[0] - c2.traction()[0]), 0);
-  Mask<V> const monotone = (3.0 * far - d) * d > 0.0 && (3.0 * d - far) * d > 0.0;
   V share(0.5);
   if (g.predictor == Predictor::godunov)
     share = zero;
   else if (g.limited)
-    share = select(monotone, share, zero);
+    share *= graded_share(far, d);
   auto const extrapolated = [&](V a, V b)
                                 G27_INLINE_LAMBDA { return V(a + share * cells.own(Mask<V>(false), V(a - b))); };
   SolidState<V> s;

@@ -5,6 +5,14 @@
 
 namespace g27 {
 
+/// Share of the slope d at the end of a row that the graded switch leaves, `far` being the slope upwind of it: from 1
+/// down to 0 without a jump, so that round-off does not choose.
+template <Lane V>
+G27_INLINE V graded_share(V far, V d) noexcept {
+  V const product = far * d, square = d * d;
+  return select(2.0 * product >= square, V(1.0), max(2.0 * product, V(0.0)) / max(square, V(1e-300)));
+}
+
 /// A field at the face, averaged over the length s that its characteristic sweeps. F0, F1, F2 lie in the three cells
 /// away from the face, which are b, a, z of `cells`; s in units of L. Linear, or parabolic.
 template <class Cells, Lane V>
@@ -19,7 +27,7 @@ G27_INLINE V one_sided(Predictor predictor, bool limited, Cells const& cells, V 
     V const bounded = sign * max(zero, min(V(sign * lin), min(V(2.0 * abs(d)), V(4.0 * sign * far))));
     slope = limited ? select(monotone, lin, bounded) : lin;
   } else if (limited) {
-    slope = select(monotone, d, zero);
+    slope = graded_share(far, d) * d;
   }
   return F0 + 0.5 * cells.beyond(Mask<V>(false), s) * slope;
 }

@@ -24,9 +24,8 @@ OversetSolver cube_in_blast(int planes) {
   OversetSetup s{.gas = symmetric_cube(IdealGas{1.4}, size, cells, planes)};
   s.closure = true;
   s.remeshing.on = false;
-  // what decides by a threshold, or is exact at walls alone, would not be the same to round-off
+  // what is exact at walls alone, or decides by a threshold, would not be the same to round-off
   s.gas.options.cure = s.gas.options.linear_star = false;
-  s.gas.options.monotonicity = s.solid_options.monotonicity = s.local.monotonicity = Switch::off;
   TriangleSurface part = clip_at_origin(make_box({edge, edge, edge}, 0.83 * h), 3, 1e-9);
   for (std::size_t a = 3; a-- > static_cast<std::size_t>(planes);) part = unfolded(part, a, 0);
   s.bodies.push_back({.surface = part,
@@ -59,7 +58,6 @@ OversetSolver plate_between_walls(bool twice) {
   OversetSetup s{.gas = gas, .bodies = {}};
   s.remeshing.on = false;
   s.gas.options.cure = s.gas.options.linear_star = false;
-  s.gas.options.monotonicity = s.solid_options.monotonicity = s.local.monotonicity = Switch::off;
   TriangleSurface part = clip_at_origin(make_box({thickness, 2, 2}, 0.83 * h), 0, 0);
   for (std::size_t a : {1u, 2u}) {
     part = clip_surface(part, a, 0, true, 0.3 * h);
