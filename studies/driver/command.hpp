@@ -35,6 +35,8 @@ struct CaseArguments {
   bool json = false;
 };
 int command_case(CaseArguments const& arguments);
+/// Title and parameters of the case named; empty where there is none.
+std::string help_of(CaseArguments const& arguments);
 
 struct StudyArguments {
   std::string name, out;
@@ -48,6 +50,8 @@ struct ExactArguments {
   bool json = false;
 };
 int command_exact(ExactArguments const& arguments);
+/// What it solves, its source and its keys; empty where there is none of that name.
+std::string help_of(ExactArguments const& arguments);
 
 struct FigureArguments {
   std::string name, out = "results/figures";

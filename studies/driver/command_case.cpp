@@ -15,6 +15,19 @@
 #include "verification/cases/case.hpp"
 
 namespace g27 {
+
+std::string help_of(CaseArguments const& arguments) {
+  std::string text;
+  for (Case const& c : all_cases()) {
+    if (c.name != arguments.name) continue;
+    text = fmt::format("{}: {}\n", c.name, c.title);
+    for (CaseParameter const& p : c.parameters) {
+      text += fmt::format("  --set {}={:g}  [{}] {}\n", p.name, p.value, p.unit, p.what);
+    }
+  }
+  return text;
+}
+
 namespace {
 
 std::size_t index_in(std::vector<std::string> const& names, std::string const& name, std::string const& option) {
@@ -51,6 +64,10 @@ std::map<std::string, double> values_of(CaseArguments const& a, Case const& chos
     if (!(value >= parameter.least && value <= parameter.most)) {
       throw InputError("g27 case", "--set " + parameter.name, fmt::format("{} is out of range", value),
                        fmt::format("choose it from {} to {}", parameter.least, parameter.most));
+    }
+    if (parameter.whole && value != std::floor(value)) {
+      throw InputError("g27 case", "--set " + parameter.name, fmt::format("{} is not a whole number", value),
+                       "it is " + parameter.what);
     }
     values[parameter.name] = value;
   }

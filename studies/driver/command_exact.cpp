@@ -7,14 +7,20 @@
 #include "verification/exact/oracle.hpp"
 
 namespace g27 {
-namespace {
 
-void print_usage(Oracle const& oracle) {
-  fmt::print(stderr, "{}: {}\n{}\n", oracle.name, oracle.summary, oracle.source);
-  for (OracleParameter const& p : oracle.parameters) {
-    fmt::print(stderr, "  {}={}  [{}] {}\n", p.name, p.fallback.empty() ? "(required)" : p.fallback, p.unit, p.what);
+std::string help_of(ExactArguments const& arguments) {
+  std::string text;
+  for (Oracle const& oracle : all_oracles()) {
+    if (oracle.name != arguments.name) continue;
+    text = fmt::format("{}: {}\n{}\n", oracle.name, oracle.summary, oracle.source);
+    for (OracleParameter const& p : oracle.parameters) {
+      text += fmt::format("  {}={}  [{}] {}\n", p.name, p.fallback.empty() ? "(required)" : p.fallback, p.unit, p.what);
+    }
   }
+  return text;
 }
+
+namespace {
 
 void print_text(OracleRecord const& record) {
   for (auto const& [name, value] : record) {
@@ -58,7 +64,7 @@ int command_exact(ExactArguments const& arguments) {
       print_text(record);
     }
   } catch (OracleError const&) {
-    print_usage(oracle);
+    fmt::print(stderr, "{}", help_of(arguments));
     throw;
   }
   return 0;

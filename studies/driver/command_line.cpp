@@ -77,7 +77,7 @@ void add_check(CLI::App& app, int& status) {
 void add_case(CLI::App& app, int& status) {
   auto const a = std::make_shared<CaseArguments>();
   auto* sub = add_command(app, "case", "run a verification case and print its errors", command_case, a, status);
-  sub->add_option("name", a->name, "see: g27 list cases")->required();
+  sub->add_option("name", a->name, "see: g27 list cases; with --help, its parameters")->required();
   sub->add_option("--cells", a->cells, "number of cells; of a grid, along its longest axis")
       ->check(CLI::Range(4, 50'000'000));
   auto* order = sub->add_option("--order", a->order, "1 Godunov, 2 linear, 3 parabolic")->check(CLI::Range(1, 3));
@@ -95,6 +95,7 @@ void add_case(CLI::App& app, int& status) {
   sub->add_option("--cure", a->cure, "of a grid, of shocks along it: on or off");
   sub->add_option("--skip", a->skip, "of a grid, tiles where nothing happens: on or off");
   sub->add_option("--tile", a->tile, "of a grid: cells of a tile along x, y and z")->expected(3);
+  sub->footer([a] { return help_of(*a); });
   json_flag(sub, a->json);
 }
 
@@ -109,8 +110,9 @@ void add_study(CLI::App& app, int& status) {
 void add_exact(CLI::App& app, int& status) {
   auto const a = std::make_shared<ExactArguments>();
   auto* sub = add_command(app, "exact", "evaluate an exact solution", command_exact, a, status);
-  sub->add_option("name", a->name, "see: g27 list exact")->required();
+  sub->add_option("name", a->name, "see: g27 list exact; with --help, its keys")->required();
   sub->add_option("values", a->values, "key=value ...");
+  sub->footer([a] { return help_of(*a); });
   json_flag(sub, a->json);
 }
 

@@ -6,6 +6,7 @@
 #include "studies/driver/command.hpp"
 #include "studies/driver/earlier_results.hpp"
 #include "studies/driver/early_end.hpp"
+#include "studies/driver/folder_lock.hpp"
 #include "studies/driver/input_error.hpp"
 #include "studies/driver/machine_threads.hpp"
 #include "studies/driver/python.hpp"
@@ -87,6 +88,7 @@ int command_run(RunArguments const& arguments) {
   for (std::string const& remark : remarks_on(scene)) fmt::print(stderr, "{}\n", remark);
   fmt::print(stderr, "{}: {} run{} into {}\n", scene.title, scene.runs.size(), scene.runs.size() == 1 ? "" : "s",
              out.string());
+  FolderLock const lock(out, "g27 run");
   EarlierResults const earlier(out);
   if (!arguments.resume) earlier.set_aside();
   SceneResult const result = run_scene(scene, {.out = out,

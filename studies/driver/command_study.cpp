@@ -5,6 +5,7 @@
 
 #include "studies/driver/atomic_file.hpp"
 #include "studies/driver/command.hpp"
+#include "studies/driver/folder_lock.hpp"
 #include "studies/driver/lookup.hpp"
 #include "studies/driver/progress.hpp"
 #include "studies/driver/python.hpp"
@@ -16,7 +17,7 @@ namespace g27 {
 int command_study(StudyArguments const& arguments) {
   Study const study = find_by_name(all_studies(), arguments.name, "g27 study");
   std::filesystem::path const out = arguments.out.empty() ? "results/studies/" + study.name : arguments.out;
-  make_output_folder(out);
+  FolderLock const lock(out, "g27 study");
   StudyReport report;
   {
     Progress progress({1.0});

@@ -1,4 +1,5 @@
 #include "studies/driver/scene_cache.hpp"
+#include "studies/driver/folder_lock.hpp"
 
 #include <fmt/format.h>
 
@@ -99,6 +100,7 @@ int ensure_cached(Scene const& scene, CacheOptions const& options) {
   require_memory(scene);
   for (std::string const& remark : remarks_on(scene)) fmt::print(stderr, "{}\n", remark);
   fmt::print(stderr, "{}: {} {}\n", scene.name, resume ? "goes on in" : "into", out.string());
+  FolderLock const lock(out, "g27 figure");
   EarlierResults const earlier(out);
   if (!resume) earlier.set_aside();
   SceneResult const result = run_scene(scene, {.out = out, .threads = options.threads, .resume = resume});

@@ -46,6 +46,9 @@ std::vector<IgnitionPoint> read_ignition(Section const& section, Charge const& c
   if (section.has("ignition")) {
     points.clear();
     for (Vec3 const& x : section.points("ignition", dimension::length, dimensions)) points.push_back({x});
+    if (points.empty()) {
+      throw section.error("ignition", "holds no point", "leave it out to light the charge at its center");
+    }
   }
   for (auto const& [x, time] : points) {
     if (length(x - charge.centre) > charge.radius) {
@@ -93,6 +96,12 @@ void light(Charge& charge, AnyEos const& eos, double density, double energy, dou
 
 Charge read_charge(Section const& given, AnyEos const& eos, Symmetry symmetry, int dimensions) {
   bool const lit = given.choice("start", {"breakout", "ignition"}, 0) == 1;
+  for (char const* key : {"pressure", "ignition", "delay", "obstacle"}) {
+    if (!lit && given.has(key)) {
+      throw given.error(key, "is of a charge that is lit, and this one starts when it has burnt",
+                        "set start = \"ignition\", or leave it out");
+    }
+  }
   Charge charge{.state = {}, .section = given.reopened(charge_keys(dimensions, lit))};
   Section const& section = charge.section;
   charge.radius = section.positive("radius", dimension::length);

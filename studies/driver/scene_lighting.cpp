@@ -45,6 +45,20 @@ std::vector<NamedObstacle> obstacles_of(Charge const& charge, GasGridSetup const
   return out;
 }
 
+/// Smaller charges would leave nothing to detonate.
+void check_size(Charge const& charge, GridBox const& box) {
+  Vec3 nearest{0, 0, 0};  // of the cells' centres
+  for (std::size_t d = 0; d < static_cast<std::size_t>(dimensions_of(box)); ++d) {
+    double const h = (box.upper[d] - box.lower[d]) / box.cells[d];
+    double const cell = std::clamp(std::floor((charge.centre[d] - box.lower[d]) / h), 0.0, box.cells[d] - 1.0);
+    nearest[d] = box.lower[d] + (cell + 0.5) * h;
+  }
+  if (length(nearest - charge.centre) > charge.radius) {
+    throw charge.section.error("radius", fmt::format("{:g} m covers no centre of a cell", charge.radius),
+                               "take smaller cells, or move the charge into the domain");
+  }
+}
+
 void check_ignition(Charge const& charge, std::vector<NamedObstacle> const& obstacles, GridBox const& box) {
   Distance const domain =
       distance_to_box({{box.lower[0], box.upper[0]}, {box.lower[1], box.upper[1]}, {box.lower[2], box.upper[2]}});
@@ -82,7 +96,10 @@ std::vector<Obstacle> read_obstacles(Section const& charge, double radius, int d
 
 ProgrammedBurn burn_around(Charge const& charge, GasGridSetup const& grid) {
   GridBox const box{grid.lower, grid.upper, grid.cells};
+  check_size(charge, box);
   auto const obstacles = obstacles_of(charge, grid, box);
+  bool const told = charge.section.has("ignition") || !obstacles.empty();
+  if (charge.burn.there() && told) check_ignition(charge, obstacles, box);
   if (obstacles.empty()) {
     return charge.burn;
   }
@@ -90,7 +107,6 @@ ProgrammedBurn burn_around(Charge const& charge, GasGridSetup const& grid) {
     throw charge.section.error("radius", fmt::format("reaches into {}", obstacles[0].name),
                                "write start = \"ignition\", whose front goes around blocks, or move the block away");
   }
-  check_ignition(charge, obstacles, box);
   LightingSetup setup{.lower = box.lower,
                       .upper = box.upper,
                       .cells = box.cells,

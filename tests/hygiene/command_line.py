@@ -164,6 +164,8 @@ with tempfile.TemporaryDirectory() as folder:
                                 "--out", folder], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     running.stderr.readline()
     time.sleep(0.5)
+    if "another process" not in run("run", "sod", "--out", folder, "--no-figures", status=2).stderr:
+        problems.append("two runs write into one folder")
     running.send_signal(signal.SIGINT)
     said = running.communicate()[1]
     command = re.search(r"to continue: g27 (.*)", said)

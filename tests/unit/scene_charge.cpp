@@ -221,7 +221,10 @@ TEST_CASE("fronts that cannot start or have no way are refused with key and reme
       // blocks that share a corner leave no way
       {lit + block("[\"2 cm\", \"8 cm\"]", "[\"0 cm\", \"2 cm\"]") + block("[\"0 cm\", \"2 cm\"]", "[\"2 cm\", \"8 cm\"]"), "charge.0.ignition", "without a way", "light every part"},
       {centre + corner, "charge.0.radius", "reaches into block.0", "start = \"ignition\""},
-      {centre + "obstacle = []\n", "charge.0.obstacle", "unknown key", "radius"},
+      {centre + "obstacle = []\n", "charge.0.obstacle", "is of a charge that is lit", "start = \"ignition\""},
+      {lit + "ignition = []\n", "charge.0.ignition", "holds no point", "leave it out"},
+      {lit + "ignition = [[\"-1 cm\", \"0 cm\", \"0 cm\"]]\n", "charge.0.ignition", "outside the domain", "in the domain"},
+      {"center = [\"-5.1 cm\", \"0 cm\", \"0 cm\"]\n", "charge.0.radius", "covers no centre of a cell", "into the domain"},
       {lit + "obstacle = [{ shape = \"ball\" }]\n", "charge.0.obstacle.0.shape", "'ball'", "sphere"},
       {lit + "obstacle = [{ shape = \"half-space\", point = [\"2 cm\", \"0 cm\", \"0 cm\"], normal = [-1, 0, 0], density = \"1 kg/m3\" }]\n", "charge.0.obstacle.0.density", "unknown key", "normal"},
       {lit + "obstacle = [{ shape = \"sphere\", center = [\"2 cm\", \"2 cm\", \"2 cm\"], radius = \"1 cm\" }]\n[start]\none_dimensional_radius = \"7 cm\"\n", "start", "has obstacles", "remove [start]"},

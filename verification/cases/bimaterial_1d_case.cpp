@@ -44,7 +44,7 @@ Case bimaterial_1d_case() {
            .eos = bonded_pairs(),
            .meshes = {"lagrangian"},
            .parameters = {
-               {"family", 0, "1", "of the incoming wave: 0 P, 1 and 2 S by falling speed", 0, 2},
+               {"family", 0, "1", "of the incoming wave: 0 P, 1 and 2 S by falling speed", 0, 2, true},
                {"stress", 0, "1", "scale of the pre-stress, over the bulk modulus of the solid on the right", 0, 0.1}}};
   out.run = [parameters = out.parameters](CaseOptions const& options) {
     auto const [l, r] = bonded_media(options.eos.value_or("steel-aluminium"), false);

@@ -14,7 +14,7 @@ namespace g27 {
 namespace {
 
 std::vector<CaseParameter> const parameters{
-    {"body", 0, "1", "0 cube, 1 sphere, 2 tetrahedron", 0, 2},
+    {"body", 0, "1", "0 cube, 1 sphere, 2 tetrahedron", 0, 2, true},
     {"turns", 0.25, "1", "revolutions", 1e-3, 10},
     {"mach", 0.05, "1", "speed of a cube's edge over that of P waves", 1e-3, 0.3},
     literal_parameter()};

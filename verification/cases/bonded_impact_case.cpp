@@ -23,7 +23,7 @@ Case bonded_impact_case() {
            .eos = bonded_pairs(),
            .meshes = {"lagrangian"},
            .parameters = {{"velocity", 300, "m/s", "of the solid on the left", 1, 2000},
-                          {"yields", 1, "1", "1: both solids yield; 0: both are elastic", 0, 1}}};
+                          {"yields", 1, "1", "1: both solids yield; 0: both are elastic", 0, 1, true}}};
   out.run = [parameters = out.parameters](CaseOptions const& options) {
     std::string const pair = options.eos.value_or("steel-aluminium");
     auto const [l, r] = bonded_media(pair, value_of(parameters, options, "yields") != 0);

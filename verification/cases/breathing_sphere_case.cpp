@@ -22,7 +22,7 @@ std::vector<CaseParameter> const parameters{
     {"periods", 2, "1", "of the exact frequency", 1, 200},
     {"eighths", 0, "1",
      "of the sphere that are computed, 1 2 4 or 8, the rest by planes of symmetry; 0: whole, turned and off the cells",
-     0, 8},
+     0, 8, true},
     literal_parameter()};
 
 /// Volume in time: its zeros give the period, its extrema the amplitude.

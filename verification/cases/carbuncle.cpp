@@ -13,7 +13,7 @@ namespace {
 
 std::vector<CaseParameter> const parameters{{"mach", 10, "1", "Mach number of the shock", 1.01, 1000},
                                             {"noise", 1e-6, "1", "amplitude of the noise, relative", 0, 0.1},
-                                            {"steps", 2000, "1", "time steps", 1, 1e7}};
+                                            {"steps", 2000, "1", "time steps", 1, 1e7, true}};
 
 /// A number in [-1, 1] that depends on the key alone: splitmix64 (Steele, Lea and Flood, OOPSLA 2014).
 double noise_of(std::uint64_t key) {

@@ -45,6 +45,7 @@ struct CaseParameter {
   double value = 0;  ///< unless the options say otherwise
   std::string unit, what;
   double least = -std::numeric_limits<double>::infinity(), most = std::numeric_limits<double>::infinity();
+  bool whole = false;  ///< it counts or chooses
 };
 
 struct Norms {

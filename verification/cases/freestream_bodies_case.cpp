@@ -13,12 +13,12 @@ namespace g27 {
 namespace {
 
 std::vector<CaseParameter> const parameters{
-    {"body", 0, "1", "0 cube, 1 sphere, 2 tetrahedron, 3 two cubes with a gap", 0, 3},
+    {"body", 0, "1", "0 cube, 1 sphere, 2 tetrahedron, 3 two cubes with a gap", 0, 3, true},
     {"speed", 500, "m/s", "of the stream, along (1, 0.6, -0.4)", 0, 3000},
     {"gap", 1, "1", "between the two cubes, in cells", 0.25, 3},
-    {"steps", 100, "1", "time steps", 1, 100000},
+    {"steps", 100, "1", "time steps", 1, 100000, true},
     {"planes", 0, "1", "of symmetry, across x, y and z, that cut the body: the stream has no velocity across them", 0,
-     3}};
+     3, true}};
 
 constexpr double size = 1, edge = 0.25;  ///< of the domain, of the bodies [m]
 

@@ -48,7 +48,8 @@ CaseParameter literal_parameter() {
           "vertices 3 along normals alone, 4 without gradient; 5 no cells of the fourth kind as donors; 6 no traction "
           "beyond sides",
           0,
-          6};
+          6,
+          true};
 }
 
 Literal literal_reading(double number) {

@@ -17,7 +17,7 @@ namespace {
 std::vector<CaseParameter> const parameters{
     {"mach", 3, "1", "of the stream", 1.5, 10},
     {"passes", 12, "1", "end: when the stream has gone so many radii", 1, 100},
-    {"moves", 0, "1", "1: the sphere moves through the gas at rest, 0: the stream comes to it", 0, 1}};
+    {"moves", 0, "1", "1: the sphere moves through the gas at rest, 0: the stream comes to it", 0, 1, true}};
 
 constexpr double gamma = 1.4;
 

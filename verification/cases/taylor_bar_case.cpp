@@ -18,7 +18,7 @@ namespace {
 
 std::vector<CaseParameter> const parameters{{"speed", 227, "m/s", "of the rod", 1, 400},
                                             {"end", 80e-6, "s", "time", 1e-7, 200e-6},
-                                            {"closure", 0, "1", "1: momentum of the rod is kept exactly", 0, 1}};
+                                            {"closure", 0, "1", "1: momentum of the rod is kept exactly", 0, 1, true}};
 
 constexpr double radius = 3.2e-3, rod = 32.4e-3;  ///< [m]
 
