@@ -92,14 +92,14 @@ struct Body {
   void connect();
   /// Frames, centres and areas by the vertices.
   void place_triangles();
-  /// What model problems are made from, of one thread in one step: donors about the triangles, which neighbours share.
+  /// What model problems are made from, of one thread in one step.
   struct Nearby {
     explicit Nearby(Body const& body) : gas(body.gas.donors), solid(body.solid.donors), spin(spin_of(body)) {}
     Donors<GasFields>::Around gas;
     Donors<SolidFields>::Around solid;
     Vec3 spin;  ///< of the body
   };
-  /// Numbers of all triangles, such that those which follow each other are close and share most of what is `nearby`.
+  /// Numbers of all triangles, such that those which follow each other are close and read the same cells and cores.
   [[nodiscard]] std::vector<std::size_t> neighbours_in_turn() const;
   /// Cells of the model problem of a triangle, from time-n data alone.
   [[nodiscard]] ModelStencil stencil(std::size_t triangle, Nearby& nearby) const;

@@ -10,7 +10,6 @@ namespace g27 {
 namespace {
 
 constexpr double reach = 1.6;          ///< radius of the donors, in cells
-constexpr double around = 1;           ///< from the place of one local grid to others that share its donors, in cells
 constexpr double widen = 1.5;          ///< by which it grows when there are too few
 constexpr std::size_t fewest = 5;      ///< donors
 constexpr double least_moment = 0.02;  ///< of the sum of the weights, along a direction in which a slope is fitted
@@ -40,7 +39,7 @@ Vec3 minus_inverse_times(double const* c, Vec3 const& m, double least) {
 }
 
 constexpr double everything = 1e10;  ///< radius that takes all that were gathered, in cells
-constexpr double far_away = 1e30;    ///< where padding lies, in cells
+constexpr double far_away = 1e30;    ///< where donors that do not give lie, in cells
 
 /// Place of a medium's kernels in their tables.
 template <class Fields>
@@ -90,11 +89,40 @@ void Donors<Fields>::set_cloud(std::vector<CloudPoint<Fields>> const& points, bo
   for (auto const& p : points) cloud_[next[cell(p)]++] = p;
   if constexpr (of_gas) {
     if (dense) merge_cloud();
+    cloud_energy_.resize(cloud_.size());
+    for (std::size_t n = 0; n < cloud_.size(); ++n) cloud_energy_[n] = energy_of(law_, cloud_[n].q);
   }
-  where_.resize(cloud_.size()), cloud_energy_.resize(cloud_.size());
-  for (std::size_t n = 0; n < cloud_.size(); ++n) {
-    where_[n] = in_cells(cloud_[n].x), cloud_energy_[n] = energy_of(law_, cloud_[n].q);
+  list_by_cells();
+}
+
+template <class Fields>
+void Donors<Fields>::list_by_cells() {
+  constexpr auto valid = static_cast<std::size_t>(From::valid), own = static_cast<std::size_t>(From::own_update);
+  std::size_t const cells = kinds_.count(), most = cells + cloud_.size() + fit_padding;
+  for (auto* list : {&x_[valid], &x_[own], &y_, &z_}) list->resize(most);
+  row_.resize(most), start_.resize(cells + 1);
+  if constexpr (of_gas) energy_at_.resize(most), energy_.resize(cells);
+  Int3 const size = kinds_.box().size;
+  std::size_t n = 0, i = 0;
+  auto const add = [&](Vec3 const& x, bool given, bool updated, Fields const& q, auto const& energy, std::size_t at) {
+    x_[valid][n] = given ? x[0] : far_away, x_[own][n] = updated ? x[0] : far_away, y_[n] = x[1], z_[n] = x[2];
+    row_[n] = q.data();
+    if constexpr (of_gas) energy_at_[n] = &energy[at];
+    ++n;
+  };
+  for (int k = 0; k < size[2]; ++k) {
+    for (int j = 0; j < size[1]; ++j) {
+      for (int c = 0; c < size[0]; ++c, ++i) {
+        start_[i] = n;
+        bool const given = gives(i, From::valid), updated = gives(i, From::own_update);
+        if (given || updated) add({c + 0.5, j + 0.5, k + 0.5}, given, updated, states_[i], energy_, i);
+        auto const [first, last] = in_row(c, c, j, k);
+        for (std::size_t p = first; p < last; ++p)
+          add(in_cells(cloud_[p].x), true, true, cloud_[p].q, cloud_energy_, p);
+      }
+    }
   }
+  start_[cells] = n;
 }
 
 template <class Fields>
@@ -138,47 +166,6 @@ void Donors<Fields>::merge_cloud() requires of_gas {
   }
   first_.back() = kept;
   cloud_.resize(kept);
-}
-
-template <class Fields>
-void Donors<Fields>::gather(Vec3 const& x, double radius, From from, Gathered& out) const {
-  out.clear();
-  WindowBox const& box = kinds_.box();
-  double const limit = radius * radius;
-  Int3 low{}, high{};
-  Vec3 const at = in_cells(x);
-  for (std::size_t a = 0; a < 3; ++a) {
-    low[a] = std::max(0, static_cast<int>(std::floor(at[a] - radius)));
-    high[a] = std::min(box.size[a] - 1, static_cast<int>(std::floor(at[a] + radius)));
-  }
-  if (low[0] > high[0]) return;
-  for (int k = low[2]; k <= high[2]; ++k) {
-    for (int j = low[1]; j <= high[1]; ++j) {
-      double const y = j + 0.5 - at[1], z = k + 0.5 - at[2], rest = limit - y * y - z * z;
-      if (rest > 0) {
-        double const half = std::sqrt(rest);
-        int const first = std::max(low[0], static_cast<int>(std::ceil(at[0] - 0.5 - half)));
-        int const last = std::min(high[0], static_cast<int>(std::floor(at[0] - 0.5 + half)));
-        std::size_t n = static_cast<std::size_t>(kinds_.index({first, j, k}));
-        for (int i = first; i <= last; ++i, ++n) {
-          if (gives(n, from)) out.add({i + 0.5, j + 0.5, k + 0.5}, states_[n], of_gas ? energy_[n] : 0.0);
-        }
-      }
-      // from the nearest point of the row
-      double const near_y = std::max(0.0, std::fabs(y) - 0.5), near_z = std::max(0.0, std::fabs(z) - 0.5);
-      double const left = limit - near_y * near_y - near_z * near_z;
-      if (!(left > 0)) continue;
-      double const half = std::sqrt(left);
-      int const first = std::max(low[0], static_cast<int>(std::floor(at[0] - half)));
-      int const last = std::min(high[0], static_cast<int>(std::floor(at[0] + half)));
-      if (first > last) continue;
-      auto const [from_point, to_point] = in_row(first, last, j, k);
-      for (std::size_t p = from_point; p < to_point; ++p) {
-        Vec3 const r = where_[p] - at;
-        if (dot(r, r) < limit) out.add(where_[p], cloud_[p].q, cloud_energy_[p]);
-      }
-    }
-  }
 }
 
 template <class Fields>
@@ -226,50 +213,92 @@ bool Donors<Fields>::multilinear(Vec3 const& x, From from, Fields& out) const {
 }
 
 template <class Fields>
-void Donors<Fields>::Gathered::grow() {
-  std::size_t const most = std::max<std::size_t>(512, 2 * x_.size());
-  x_.resize(most), y_.resize(most), z_.resize(most), energy_.resize(most), row_.resize(most);
-}
-
-template <class Fields>
-void Donors<Fields>::Gathered::pad() {
-  if (count_ + fit_padding > x_.size()) grow();
-  std::size_t const padded = (count_ + fit_padding - 1) / fit_padding * fit_padding;
-  for (std::size_t i = count_; i < padded; ++i) x_[i] = far_away, y_[i] = z_[i] = 0;
-}
-
-template <class Fields>
-void Donors<Fields>::Gathered::take(Gathered const& wide, Vec3 const& middle, Frame const& frame, double half,
-                                    double radius) {
-  thread_local std::vector<int> kept;
-  kept.resize(wide.count_ + fit_padding);
-  NearCubeArguments g{.donors = wide.count_,
-                      .x = wide.x_.data(),
-                      .y = wide.y_.data(),
-                      .z = wide.z_.data(),
+void Donors<Fields>::Gathered::take(Donors const& donors, From from, Vec3 const& middle, Frame const& frame,
+                                    double half, double radius) {
+  Int3 const size = donors.kinds_.box().size;
+  Int3 low{}, high{};
+  Vec3 far{};
+  for (std::size_t a = 0; a < 3; ++a) {
+    far[a] = half * (std::fabs(frame.n[a]) + std::fabs(frame.a[a]) + std::fabs(frame.b[a])) + radius;
+    low[a] = std::max(0, static_cast<int>(std::floor(middle[a] - far[a])));
+    high[a] = std::min(size[a] - 1, static_cast<int>(std::floor(middle[a] + far[a])));
+  }
+  count_ = 0, ranges_.clear(), ends_.clear();
+  first_j_ = low[1], last_j_ = high[1], first_k_ = low[2], last_k_ = high[2];
+  std::size_t most = fit_padding;
+  double const ball = half * std::sqrt(3.0) + radius;
+  for (int k = low[2]; k <= high[2]; ++k) {
+    for (int j = low[1]; j <= high[1]; ++j) {
+      // the part of the row of cells that is within both the box and the ball around all that is wanted
+      auto const beside = [&](double x) { return std::max(0.0, std::fabs(x) - 0.5); };
+      double const y = beside(j + 0.5 - middle[1]), z = beside(k + 0.5 - middle[2]);
+      double const along = std::min(far[0], std::sqrt(std::max(0.0, ball * ball - y * y - z * z)));
+      int const first = std::max(low[0], static_cast<int>(middle[0] - along));
+      int const last = std::min(high[0], static_cast<int>(middle[0] + along));
+      DonorRange range;
+      if (first <= last) {
+        std::size_t const row = static_cast<std::size_t>(donors.kinds_.index({0, j, k}));
+        range = {donors.start_[row + static_cast<std::size_t>(first)],
+                 donors.start_[row + static_cast<std::size_t>(last) + 1]};
+      }
+      ranges_.push_back(range), most += range.last - range.first;
+    }
+  }
+  if (ranges_.empty()) return;
+  auto const& x = donors.x_[static_cast<std::size_t>(from)];
+  if (near_.size() < most) {
+    for (auto* one : {&x_, &y_, &z_, &energy_, &weight_, &rx_, &ry_, &rz_}) one->resize(most);
+    near_.resize(most), row_.resize(most);
+  }
+  ends_.resize(ranges_.size());
+  NearCubeArguments g{.ranges = ranges_.size(),
+                      .range = ranges_.data(),
+                      .x = x.data(),
+                      .y = donors.y_.data(),
+                      .z = donors.z_.data(),
                       .middle = middle,
                       .axes = {frame.n, frame.a, frame.b},
                       .half = half,
                       .limit = radius * radius,
-                      .kept = kept.data()};
+                      .kept = near_.data(),
+                      .ends = ends_.data()};
   fit_kernels().near_cube(g);
-  while (g.count + fit_padding > x_.size()) grow();
-  count_ = g.count;
+  count_ = ends_.back();
   for (std::size_t n = 0; n < count_; ++n) {
-    std::size_t const i = static_cast<std::size_t>(kept[n]);
-    x_[n] = wide.x_[i], y_[n] = wide.y_[i], z_[n] = wide.z_[i], row_[n] = wide.row_[i], energy_[n] = wide.energy_[i];
+    std::size_t const i = static_cast<std::size_t>(near_[n]);
+    x_[n] = x[i], y_[n] = donors.y_[i], z_[n] = donors.z_[i], row_[n] = donors.row_[i];
+    if constexpr (of_gas) energy_[n] = *donors.energy_at_[i];
   }
-  pad();
+}
+
+template <class Fields>
+void Donors<Fields>::Gathered::fit(Vec3 const& x, Law const& law, double excess, Fields& out) {
+  DonorRange const all{0, count_};
+  fit(std::span(&all, 1), x, everything, 1, law, excess, out);
 }
 
 template <class Fields>
 bool Donors<Fields>::Gathered::fit(Vec3 const& x, double radius, std::size_t few, Law const& law, double excess,
-                                   Fields& out) const {
-  thread_local std::vector<double> weight;
-  thread_local std::vector<int> near;
-  weight.resize(count_ + fit_padding), near.resize(count_ + fit_padding);
+                                   Fields& out) {
+  // rows of cells beside each other follow each other
+  auto const cell = [&](std::size_t a, double by) { return static_cast<int>(std::floor(x[a] + by)); };
+  int const j0 = std::max(first_j_, cell(1, -radius)), j1 = std::min(last_j_, cell(1, radius));
+  int const k0 = std::max(first_k_, cell(2, -radius)), k1 = std::min(last_k_, cell(2, radius));
+  ranges_.clear();
+  for (int k = k0; k <= k1 && j0 <= j1; ++k) {
+    int const row = (last_j_ - first_j_ + 1) * (k - first_k_) - first_j_;
+    auto const end = [&](int j) { return row + j < 0 ? 0 : ends_[static_cast<std::size_t>(row + j)]; };
+    ranges_.push_back({end(j0 - 1), end(j1)});
+  }
+  return fit(ranges_, x, radius, few, law, excess, out);
+}
+
+template <class Fields>
+bool Donors<Fields>::Gathered::fit(std::span<DonorRange const> ranges, Vec3 const& x, double radius, std::size_t few,
+                                   Law const& law, double excess, Fields& out) {
   Fields low, high, value;
-  FitArguments g{.donors = count_,
+  FitArguments g{.ranges = ranges.size(),
+                 .range = ranges.data(),
                  .x = x_.data(),
                  .y = y_.data(),
                  .z = z_.data(),
@@ -277,8 +306,11 @@ bool Donors<Fields>::Gathered::fit(Vec3 const& x, double radius, std::size_t few
                  .energy = energy_.data(),
                  .at = x,
                  .limit = radius * radius,
-                 .weight = weight.data(),
-                 .near = near.data(),
+                 .near = near_.data(),
+                 .weight = weight_.data(),
+                 .rx = rx_.data(),
+                 .ry = ry_.data(),
+                 .rz = rz_.data(),
                  .out = value.data(),
                  .low = low.data(),
                  .high = high.data()};
@@ -315,29 +347,25 @@ Fields Donors<Fields>::at(Vec3 const& x, From from, Fields const& otherwise) con
   Fields out{};
   if (multilinear(x, from, out)) return out;
   thread_local Gathered donors;
+  Vec3 const place = in_cells(x);
   double radius = reach;
   for (int tries = 0; tries < 4; ++tries, radius *= widen) {
-    gather(x, radius, from, donors);
+    donors.take(*this, from, place, {}, 0, radius);
     if (donors.size() >= fewest) break;
   }
   if (donors.size() == 0) return otherwise;
-  donors.pad(), donors.fit(in_cells(x), everything, 1, law_, excess(), out);
+  donors.fit(place, law_, excess(), out);
   return out;
 }
 
 template <class Fields>
 void Donors<Fields>::Around::reset(Vec3 const& centre, Frame const& frame) {
-  constexpr double half = 1 + 1e-9, diagonal = 1.7321;
-  Vec3 const middle = donors_.in_cells(centre), from = middle - wide_centre_;
-  if (!(dot(from, from) < around * around)) {
-    donors_.gather(centre, diagonal + reach + around, From::valid, wide_);
-    wide_.pad(), wide_centre_ = middle;
-  }
-  near_.take(wide_, middle, frame, half, reach);
+  constexpr double half = 1 + 1e-9;
+  near_.take(donors_, From::valid, donors_.in_cells(centre), frame, half, reach);
 }
 
 template <class Fields>
-Fields Donors<Fields>::Around::at(Vec3 const& x, Fields const& otherwise) const {
+Fields Donors<Fields>::Around::at(Vec3 const& x, Fields const& otherwise) {
   Fields out{};
   if (donors_.multilinear(x, From::valid, out)) return out;
   bool const enough = near_.fit(donors_.in_cells(x), reach, fewest, donors_.law_, donors_.excess(), out);

@@ -19,14 +19,15 @@ class Donors {
   static constexpr bool of_gas = std::tuple_size_v<Fields> == gas_field::count;
   using Law = std::conditional_t<of_gas, AnyEos, std::monostate>;
 
-  /// The states of the cells are by the window's index.
+  /// The states of the cells are by the window's index. They may change, but not move once there is a cloud.
   Donors(CellKinds const& kinds, std::vector<Fields> const& states, Law const& law, Literal const& literal = {})
       : kinds_(kinds), states_(states), law_(law), literal_(literal) {}
 
   [[nodiscard]] Law const& law() const noexcept { return law_; }
   /// To be called when the states of cells have changed.
   void update(int threads);
-  /// `dense`: many points of gas in a cell, so that those in one octant of it become one.
+  /// To be called when the kinds of cells have changed, as well. `dense`: many points of gas in a cell, so that those
+  /// in one octant of it become one.
   void set_cloud(std::vector<CloudPoint<Fields>> const& points, bool dense);
 
   /// Which cells give.
@@ -40,42 +41,40 @@ class Donors {
   /// Donors about a place: where they are, in cells of the window, and their states, which must not change meanwhile.
   class Gathered {
    public:
-    void clear() noexcept { count_ = 0; }
     [[nodiscard]] std::size_t size() const noexcept { return count_; }
-    void add(Vec3 const& x, Fields const& q, double energy) {
-      if (count_ + fit_padding > x_.size()) grow();
-      x_[count_] = x[0], y_[count_] = x[1], z_[count_] = x[2];
-      row_[count_] = q.data(), energy_[count_] = energy;
-      ++count_;
-    }
-    /// Those of `wide` that are within `radius` of a cube of half width `half` about `middle` along the frame's axes.
-    void take(Gathered const& wide, Vec3 const& middle, Frame const& frame, double half, double radius);
-    /// Once all are there.
-    void pad();
-    /// The fit at x to those within `radius`; false if these are fewer than `fewest`. Velocities stay within the
-    /// donors' range, extended on either side by `excess` times its width.
-    bool fit(Vec3 const& x, double radius, std::size_t fewest, Law const& law, double excess, Fields& out) const;
+    /// Those within `radius` of a cube of half width `half` about `middle` along the frame's axes, in cells.
+    void take(Donors const& donors, From from, Vec3 const& middle, Frame const& frame, double half, double radius);
+    /// The fit at x to all of them.
+    void fit(Vec3 const& x, Law const& law, double excess, Fields& out);
+    /// To those within `radius`; false if these are fewer than `fewest`. Velocities stay within the donors' range,
+    /// extended on either side by `excess` times its width.
+    bool fit(Vec3 const& x, double radius, std::size_t fewest, Law const& law, double excess, Fields& out);
 
    private:
-    void grow();
+    bool fit(std::span<DonorRange const> ranges, Vec3 const& x, double radius, std::size_t fewest, Law const& law,
+             double excess, Fields& out);
     std::size_t count_ = 0;
     std::vector<double> x_, y_, z_, energy_;
     std::vector<double const*> row_;
+    int first_j_ = 0, last_j_ = -1, first_k_ = 0, last_k_ = -1;  ///< rows of cells that they lie in
+    std::vector<std::size_t> ends_;                              ///< [row] of the donors in it
+    std::vector<DonorRange> ranges_;
+    std::vector<int> near_;
+    std::vector<double> weight_, rx_, ry_, rz_;  ///< scratch of the kernels
   };
 
-  /// Donors that are valid about a place, collected once for the many points of a local grid, and what they are taken
-  /// from for the places around as well. As long as donors and cloud stay as they are.
+  /// Donors that are valid about a place, collected once for the many points of a local grid. As long as donors and
+  /// cloud stay as they are.
   class Around {
    public:
     explicit Around(Donors const& donors) : donors_(donors) {}
     /// For points up to a cell from `centre` along each of the frame's axes.
     void reset(Vec3 const& centre, Frame const& frame);
-    [[nodiscard]] Fields at(Vec3 const& x, Fields const& otherwise) const;
+    [[nodiscard]] Fields at(Vec3 const& x, Fields const& otherwise);
 
    private:
     Donors const& donors_;
-    Vec3 wide_centre_{1e300, 0, 0};  ///< in cells of the window
-    Gathered wide_, near_;
+    Gathered near_;
   };
 
   /// Calls f with the cloud's points in the cells up to `cells` away from that of x.
@@ -93,6 +92,7 @@ class Donors {
   }
 
  private:
+  void list_by_cells();
   /// Points in one octant of a cell become one, their mean by densities.
   void merge_cloud() requires of_gas;
   [[nodiscard]] bool gives(std::size_t i, From from) const noexcept {
@@ -118,8 +118,6 @@ class Donors {
     for (std::size_t a = 0; a < 3; ++a) at[a] = (x[a] - box.lower[a]) / box.h - box.first[a];
     return at;
   }
-  /// Those within a radius of x, in cells.
-  void gather(Vec3 const& x, double radius, From from, Gathered& out) const;
   [[nodiscard]] bool multilinear(Vec3 const& x, From from, Fields& out) const;
 
   CellKinds const& kinds_;
@@ -128,9 +126,14 @@ class Donors {
   Literal literal_;
   std::vector<double> energy_, cloud_energy_;  ///< of gas, total per mass, of the valid cells and of the cloud [J/kg]
   std::vector<CloudPoint<Fields>> cloud_;      ///< in the order of the cells they lie in
-  std::vector<Vec3> where_;         ///< their places, in cells: they are searched more often than their states are read
-  CellBlock block_;                 ///< cells of the window that the cloud can lie in
-  std::vector<std::size_t> first_;  ///< of the points in each cell of the block, and one more
+  CellBlock block_;                            ///< cells of the window that the cloud can lie in
+  std::vector<std::size_t> first_;             ///< of the points in each cell of the block, and one more
+  /// Cells that give and the cloud's points in one list, by the cells that they lie in: places in cells of the window,
+  /// along x by From, where those that do not give are far away; states, and of gas where their energies are.
+  std::array<std::vector<double>, 2> x_;
+  std::vector<double> y_, z_;
+  std::vector<double const*> row_, energy_at_;
+  std::vector<std::size_t> start_;  ///< of the donors in each cell of the window, and one more
 };
 
 extern template class Donors<GasFields>;

@@ -11,45 +11,58 @@ namespace {
 constexpr std::size_t lanes = width<Simd>;
 static_assert(fit_padding % lanes == 0);
 
-/// Numbers of the lanes that are set, from `first` on, after `count` others; writes as many as there are lanes.
-template <class Mask>
-G27_INLINE void append(Mask const& set, std::size_t first, int* numbers, std::size_t& count) noexcept {
-  bool one[lanes];
-  set.copy_to(one, stdx::element_aligned);
-  for (std::size_t lane = 0; lane < lanes; ++lane) {
-    numbers[count] = static_cast<int>(first + lane);
-    count += one[lane] ? 1 : 0;
+/// Appends the numbers of the donors of a range that are `inside` to `count` others. Without branches: where donors lie
+/// is not to be foreseen, and every vector that is guessed wrong costs as much as three that are written in vain.
+template <class Inside>
+G27_INLINE void append(DonorRange const& range, Inside const& inside, int* numbers, std::size_t& count) noexcept {
+  std::size_t const before = count;
+  for (std::size_t i = range.first; i < range.last; i += lanes) {
+    bool one[lanes];
+    inside(i).copy_to(one, stdx::element_aligned);
+    unrolled<lanes>([&](auto lane) G27_INLINE_LAMBDA {
+      numbers[count] = static_cast<int>(i) + lane;
+      count += one[lane] ? 1 : 0;
+    });
   }
+  while (count > before && numbers[count - 1] >= static_cast<int>(range.last)) --count;
 }
 
 void near_cube(NearCubeArguments& g) noexcept {
   Simd const x0 = g.middle[0], y0 = g.middle[1], z0 = g.middle[2], half = g.half, limit = g.limit;
   std::size_t count = 0;
-  for (std::size_t i = 0; i < g.donors; i += lanes) {
+  auto const inside = [&](std::size_t i) G27_INLINE_LAMBDA {
     Simd const x = load<Simd>(g.x + i) - x0, y = load<Simd>(g.y + i) - y0, z = load<Simd>(g.z + i) - z0;
-    Simd square = 0;
-    for (auto const& axis : g.axes) {
-      Simd const beyond = max(abs(axis[0] * x + axis[1] * y + axis[2] * z) - half, Simd(0));
-      square += beyond * beyond;
-    }
-    auto const inside = square < limit;
-    if (any(inside)) append(inside, i, g.kept, count);
+    auto const beyond = [&](std::array<double, 3> const& axis) G27_INLINE_LAMBDA {
+      return max(abs(axis[0] * x + axis[1] * y + axis[2] * z) - half, Simd(0));
+    };
+    Simd const n = beyond(g.axes[0]), a = beyond(g.axes[1]), b = beyond(g.axes[2]);
+    return n * n + a * a + b * b < limit;
+  };
+  for (std::size_t r = 0; r < g.ranges; ++r) {
+    append(g.range[r], inside, g.kept, count);
+    g.ends[r] = count;
   }
-  g.count = count;
 }
 
 void moments(FitArguments& g) noexcept {
   Simd const x0 = g.at[0], y0 = g.at[1], z0 = g.at[2], limit = g.limit;
-  Simd sum = 0, x1 = 0, y1 = 0, z1 = 0, xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
   std::size_t count = 0;
-  for (std::size_t i = 0; i < g.donors; i += lanes) {
+  auto const inside = [&](std::size_t i) G27_INLINE_LAMBDA {
     Simd const x = load<Simd>(g.x + i) - x0, y = load<Simd>(g.y + i) - y0, z = load<Simd>(g.z + i) - z0;
-    Simd const square = x * x + y * y + z * z;
-    auto const inside = square < limit;
-    if (!any(inside)) continue;
-    Simd const w = select(inside, 1.0 / (square + fit_softening), 0.0);
-    store(g.weight + i, w);
-    append(inside, i, g.near, count);
+    return x * x + y * y + z * z < limit;
+  };
+  for (std::size_t r = 0; r < g.ranges; ++r) append(g.range[r], inside, g.near, count);
+  // the last vector is filled up with donors of weight 0
+  for (std::size_t lane = 0; lane < lanes; ++lane) g.near[count + lane] = g.near[0];
+  Simd const lane([](auto i) G27_INLINE_LAMBDA { return static_cast<double>(i); });
+  Simd sum = 0, x1 = 0, y1 = 0, z1 = 0, xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
+  for (std::size_t n = 0; n < count; n += lanes) {
+    auto const of = [&](double const* q)
+                        G27_INLINE_LAMBDA { return Simd([&](auto i) G27_INLINE_LAMBDA { return q[g.near[n + i]]; }); };
+    Simd const x = of(g.x) - x0, y = of(g.y) - y0, z = of(g.z) - z0;
+    auto const there = lane < Simd(static_cast<double>(count - n));
+    Simd const w = select(there, 1.0 / (x * x + y * y + z * z + fit_softening), 0.0);
+    store(g.weight + n, w), store(g.rx + n, x), store(g.ry + n, y), store(g.rz + n, z);
     Simd const wx = w * x, wy = w * y, wz = w * z;
     sum += w, x1 += wx, y1 += wy, z1 += wz;
     xx += wx * x, yy += wy * y, zz += wz * z, xy += wx * y, xz += wx * z, yz += wy * z;
@@ -69,22 +82,25 @@ void combine(FitArguments& g) noexcept {
   for (std::size_t r = 0; r < rows; ++r) out[r] = 0, low[r] = high[r] = load<Simd>(first + r * lanes);
   for (std::size_t f = 0; f < rest; ++f) out_rest[f] = 0, low_rest[f] = high_rest[f] = first[at_rest + f];
   double total = 0, mass = 0, energy = 0;
+  for (std::size_t n = 0; n < g.count; n += lanes) {
+    Simd const x = load<Simd>(g.rx + n), y = load<Simd>(g.ry + n), z = load<Simd>(g.rz + n);
+    store<Simd>(g.weight + n, load<Simd>(g.weight + n) * (g.level + g.slope[0] * x + g.slope[1] * y + g.slope[2] * z));
+  }
   for (std::size_t n = 0; n < g.count; ++n) {
     std::size_t const i = static_cast<std::size_t>(g.near[n]);
     double const* const q = g.q[i];
-    double const share = g.weight[i] * (g.level + g.slope[0] * (g.x[i] - g.at[0]) + g.slope[1] * (g.y[i] - g.at[1]) +
-                                        g.slope[2] * (g.z[i] - g.at[2]));
+    double const share = g.weight[n];
     total += share;
     double const weight = by_mass ? share * q[0] : share;
     if constexpr (by_mass) mass += weight, energy += weight * g.energy[i];
-    for (std::size_t r = 0; r < rows; ++r) {
+    unrolled<rows>([&](auto r) G27_INLINE_LAMBDA {
       Simd const row = load<Simd>(q + r * lanes);
       out[r] += weight * row, low[r] = min(low[r], row), high[r] = max(high[r], row);
-    }
-    for (std::size_t f = 0; f < rest; ++f) {
+    });
+    unrolled<rest>([&](auto f) G27_INLINE_LAMBDA {
       double const one = q[at_rest + f];
       out_rest[f] += weight * one, low_rest[f] = min(low_rest[f], one), high_rest[f] = max(high_rest[f], one);
-    }
+    });
   }
   g.mass = mass / total, g.mean_energy = energy / total;
   for (std::size_t r = 0; r < rows; ++r) {

@@ -6,31 +6,38 @@
 namespace g27 {
 
 inline constexpr double fit_softening = 0.1;   ///< of the weights 1/(r^2 + softening)
-inline constexpr std::size_t fit_padding = 8;  ///< donors are padded to a multiple
+inline constexpr std::size_t fit_padding = 8;  ///< donors, and lists of them, that a kernel may read or write beyond
 
-/// Which of the donors are within a radius of a cube: kept[0 .. count).
+/// Donors from the first to before the last.
+struct DonorRange {
+  std::size_t first = 0, last = 0;
+};
+
+/// Which of the donors are within a radius of a cube: kept[0 .. ends[ranges - 1]), by ranges.
 struct NearCubeArguments {
-  std::size_t donors = 0;  ///< padded as those of a fit
-  double const *x = nullptr, *y = nullptr, *z = nullptr;
+  std::size_t ranges = 0;
+  DonorRange const* range = nullptr;
+  double const *x = nullptr, *y = nullptr, *z = nullptr;  ///< places of the donors, in cells
   std::array<double, 3> middle{};
   std::array<std::array<double, 3>, 3> axes{};  ///< of the cube, of length 1
   double half = 0, limit = 0;                   ///< half its width; square of the radius
-  int* kept = nullptr;                          ///< room for the donors and their padding
-  std::size_t count = 0;
+  int* kept = nullptr;                          ///< room for all, and padding
+  std::size_t* ends = nullptr;                  ///< [range]: of those kept
 };
 
 /// A weighted linear fit at a point, in two passes between which the caller finds the slope.
 struct FitArguments {
-  std::size_t donors = 0;                                 ///< those beyond, up to the padding, are far away
+  std::size_t ranges = 0;
+  DonorRange const* range = nullptr;
   double const *x = nullptr, *y = nullptr, *z = nullptr;  ///< places of the donors, in cells
   double const* const* q = nullptr;                       ///< [donor] -> its fields
   double const* energy = nullptr;                         ///< [donor], of those that weigh by mass
   std::array<double, 3> at{};                             ///< the point
   double limit = 0;                                       ///< square of the donors' radius
-  // scratch, as many as donors with their padding
-  double* weight = nullptr;  ///< 0 for those that are too far away
-  int* near = nullptr;       ///< the others
-  // out of the first pass: those near, sum of the weights, first and second moments about the point
+  // out of the first pass, with room for all donors and padding: numbers of those near, their weights and where they
+  // are from the point; how many, sum of the weights, first and second moments about the point
+  int* near = nullptr;
+  double *weight = nullptr, *rx = nullptr, *ry = nullptr, *rz = nullptr;
   std::size_t count = 0;
   double sum = 0;
   std::array<double, 3> first{};
