@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "fsi/surface/gap.hpp"
 #include "scheme/grid/cell_place.hpp"
@@ -61,7 +62,7 @@ bool touches_cube(std::array<Vec3, 3> const& triangle, Vec3 const& centre, doubl
 CellKinds::CellKinds(WindowBox const& box, bool inside) : box_(box), inside_(inside) {
   std::size_t const n = cells_in(box.size);
   kinds_.assign(n, CellKind::foreign), before_ = kinds_, fringe_.assign(n, 0);
-  columns_.resize(column(0, columns_in_cell * box.size[2]));
+  column_start_.resize(column(0, columns_in_cell * box.size[2]) + 1);
   is_image_.assign(n, 0);
   for (std::size_t i = 0; i < n; ++i) {
     Int3 of = cell(i);
@@ -90,8 +91,7 @@ Vec3 CellKinds::centre(Int3 const& cell) const noexcept {
 Int3 CellKinds::cell_of(Vec3 const& x) const noexcept {
   Int3 cell{};
   for (std::size_t a = 0; a < 3; ++a) {
-    double const at = std::floor((x[a] - box_.lower[a]) / box_.h) - box_.first[a];
-    cell[a] = static_cast<int>(std::clamp(at, 0.0, static_cast<double>(box_.size[a] - 1)));
+    cell[a] = interval((x[a] - box_.lower[a]) / box_.h, box_.first[a], box_.size[a]);
   }
   return cell;
 }
@@ -100,8 +100,7 @@ void CellKinds::classify(std::span<TriangleSurface const* const> surfaces) {
   surfaces_.assign(surfaces.begin(), surfaces.end());
   std::swap(before_, kinds_);
   std::fill(kinds_.begin(), kinds_.end(), CellKind::foreign);
-  for (auto& c : columns_) c.clear();
-  lids_.clear();
+  sheets_.clear(), lids_.clear();
   near_first_ = box_.size, near_last_ = {-1, -1, -1};
   for (TriangleSurface const* s : surfaces_) {
     auto const [lower, upper] = bounding_box(*s);
@@ -150,11 +149,7 @@ void CellKinds::mark_cut() {
       }
       if (beside[1] || beside[2]) continue;
       // lines along x cross a body whether or not the window holds all of it
-      Crossing const over{static_cast<int>(s), static_cast<int>(t), low[1], high[1], low[2], high[2]};
-      for (int k = column_along(2, low[2]); k <= column_along(2, high[2]); ++k) {
-        for (int j = column_along(1, low[1]); j <= column_along(1, high[1]); ++j)
-          columns_[column(j, k)].push_back(over);
-      }
+      sheets_.push_back({low[1], high[1], low[2], high[2], corners, static_cast<int>(s)});
       if (beside[0]) continue;
       Int3 const c0 = cell_of(low), c1 = cell_of(high);
       for (int k = c0[2]; k <= c1[2]; ++k) {
@@ -167,21 +162,37 @@ void CellKinds::mark_cut() {
       }
     }
   }
+  std::fill(column_start_.begin(), column_start_.end(), 0);
+  for (Sheet const& sheet : sheets_) for_each_column(sheet, [&](std::size_t c) { ++column_start_[c + 1]; });
+  std::partial_sum(column_start_.begin(), column_start_.end(), column_start_.begin());
+  std::vector<std::size_t> next = column_start_;
+  over_.resize(column_start_.back());
+  for (std::size_t n = 0; n < sheets_.size(); ++n)
+    for_each_column(sheets_[n], [&](std::size_t c) { over_[next[c]++] = static_cast<int>(n); });
+}
+
+template <class F>
+void CellKinds::for_each_crossing(double y, double z, F const& f) const {
+  std::size_t const over = column(column_along(1, y), column_along(2, z));
+  int surface = 0;
+  bool open = false;
+  auto const close = [&] {
+    if (open) f(lids_[static_cast<std::size_t>(surface)]);
+    open = false;
+  };
+  for (std::size_t n = column_start_[over]; n < column_start_[over + 1]; ++n) {
+    Sheet const& sheet = sheets_[static_cast<std::size_t>(over_[n])];
+    double where = 0;
+    if (!sheet.over(y, z) || !crosses_line(sheet.corners, y, z, where)) continue;
+    if (sheet.surface != surface) close();
+    surface = sheet.surface, open = !open, f(where);
+  }
+  close();
 }
 
 void CellKinds::crossings(double y, double z, std::vector<double>& x) const {
   x.clear();
-  auto const& over = columns_[column(column_along(1, y), column_along(2, z))];
-  for (std::size_t n = 0; n < over.size();) {
-    std::size_t const s = static_cast<std::size_t>(over[n].surface), others = x.size();
-    for (; n < over.size() && over[n].surface == static_cast<int>(s); ++n) {
-      double where = 0;
-      if (!over[n].over(y, z)) continue;
-      if (crosses_line(surfaces_[s]->corners(static_cast<std::size_t>(over[n].triangle)), y, z, where))
-        x.push_back(where);
-    }
-    if ((x.size() - others) % 2 == 1) x.push_back(lids_[s]);
-  }
+  for_each_crossing(y, z, [&](double where) { x.push_back(where); });
   std::sort(x.begin(), x.end());
 }
 
@@ -259,20 +270,8 @@ bool CellKinds::in_medium(Vec3 const& point) const noexcept {
   Int3 const c = cell_of(x);
   std::size_t const i = static_cast<std::size_t>(index(c));
   if (kinds_[i] != CellKind::cut) return valid(i);
-  auto const& over = columns_[column(column_along(1, x[1]), column_along(2, x[2]))];
   bool odd = false;
-  for (std::size_t n = 0; n < over.size();) {
-    std::size_t const s = static_cast<std::size_t>(over[n].surface);
-    bool open = false;
-    for (; n < over.size() && over[n].surface == static_cast<int>(s); ++n) {
-      double where = 0;
-      if (!over[n].over(x[1], x[2])) continue;
-      if (!crosses_line(surfaces_[s]->corners(static_cast<std::size_t>(over[n].triangle)), x[1], x[2], where)) continue;
-      open = !open;
-      if (where > x[0]) odd = !odd;
-    }
-    if (open && lids_[s] > x[0]) odd = !odd;
-  }
+  for_each_crossing(x[1], x[2], [&](double where) { odd = odd != (where > x[0]); });
   return odd == inside_;
 }
 

@@ -120,22 +120,39 @@ class CellKinds {
 
  private:
   static constexpr int columns_in_cell = 3;  ///< along y and along z: the fewer triangles over one, the sooner searched
-  struct Crossing {
-    int surface, triangle;
-    double low_y, high_y, low_z, high_z;  ///< of the triangle [m]
+  /// A triangle that lines along x may cross.
+  struct Sheet {
+    double low_y, high_y, low_z, high_z;  ///< [m]
+    std::array<Vec3, 3> corners;
+    int surface;
     [[nodiscard]] bool over(double y, double z) const noexcept {
       return y >= low_y && y <= high_y && z >= low_z && z <= high_z;
     }
   };
   /// Number of the column over a point, across the axis a.
   [[nodiscard]] int column_along(std::size_t a, double x) const noexcept {
-    double const at = std::floor((x - box_.lower[a]) * (columns_in_cell / box_.h)) - columns_in_cell * box_.first[a];
-    return static_cast<int>(std::clamp(at, 0.0, static_cast<double>(columns_in_cell * box_.size[a] - 1)));
+    return interval((x - box_.lower[a]) * (columns_in_cell / box_.h), columns_in_cell * box_.first[a],
+                    columns_in_cell * box_.size[a]);
+  }
+  /// Which of `count` intervals of length 1 from `first` on x lies in, or the nearest.
+  [[nodiscard]] static int interval(double x, int first, int count) noexcept {
+    double const at = std::clamp(x, static_cast<double>(first), static_cast<double>(first + count - 1));
+    int const n = static_cast<int>(at);
+    return n - (at < n ? 1 : 0) - first;
   }
   [[nodiscard]] std::size_t column(int j, int k) const noexcept {
     return static_cast<std::size_t>(j) +
            static_cast<std::size_t>(columns_in_cell * box_.size[1]) * static_cast<std::size_t>(k);
   }
+  template <class F>
+  void for_each_column(Sheet const& sheet, F const& f) const {
+    for (int k = column_along(2, sheet.low_z); k <= column_along(2, sheet.high_z); ++k) {
+      for (int j = column_along(1, sheet.low_y); j <= column_along(1, sheet.high_y); ++j) f(column(j, k));
+    }
+  }
+  /// Calls f(x) where the line along x through (y, z) crosses the surfaces, and the mirror that closes them.
+  template <class F>
+  void for_each_crossing(double y, double z, F const& f) const;
   void mark_cut();
   void mark_sides();
   void mark_depth();
@@ -149,8 +166,10 @@ class CellKinds {
   std::vector<unsigned char> fringe_, is_image_;
   std::vector<ImageCell> images_;
   std::vector<TriangleSurface const*> surfaces_;
-  std::vector<double> lids_;                    ///< [surface]: the mirror across x that closes it, where one does
-  std::vector<std::vector<Crossing>> columns_;  ///< triangles over each column along x
+  std::vector<double> lids_;               ///< [surface]: the mirror across x that closes it, where one does
+  std::vector<Sheet> sheets_;              ///< by surfaces
+  std::vector<std::size_t> column_start_;  ///< of the sheets over each column along x, and one more
+  std::vector<int> over_;                  ///< their numbers
 };
 
 /// Where a line along x through (y, z) crosses a triangle. Lines through an edge or a corner cross exactly one of the
