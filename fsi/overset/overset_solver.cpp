@@ -13,6 +13,7 @@
 #include "fsi/overset/rigid_step.hpp"
 #include "fsi/overset/thin_gaps.hpp"
 #include "fsi/overset/thin_rims.hpp"
+#include "fsi/overset/turned_cores.hpp"
 #include "fsi/overset/untangle.hpp"
 
 namespace g27 {
@@ -30,6 +31,8 @@ struct OversetSolver::Impl {
   std::vector<std::unique_ptr<Body>> bodies;
   std::vector<std::vector<ModelProblems>> problems;  ///< [body][thread]
   std::vector<std::vector<ModelResult>> results;     ///< [body][triangle]
+  std::vector<std::vector<CoreSlopes>> slopes;       ///< [body][triangle]
+  std::vector<std::vector<TrianglePlace>> places;    ///< [body][triangle]: at the start of the step
   std::vector<BodyMomentum> momenta;
   std::vector<char> sleeping;  ///< [body]: nothing has reached it; it never falls asleep again
   OversetCounters counters;
@@ -97,7 +100,7 @@ struct OversetSolver::Impl {
         }
       }
       problems.push_back(std::move(each));
-      results.emplace_back();
+      results.emplace_back(), slopes.emplace_back(), places.emplace_back();
     }
     sleeping.assign(bodies.size(), setup.skip ? 1 : 0);
   }
@@ -312,11 +315,12 @@ struct OversetSolver::Impl {
         counters.skipped += b.triangles.size();
         continue;
       }
+      places[n] = places_of(b);
       if (b.rigid) start_rigid_step(b, setup.gas.eos, time, dt);
       std::size_t const count = b.triangles.size(), batches = (count + ModelProblems::lanes - 1) / ModelProblems::lanes;
       std::vector<std::size_t> const order = b.neighbours_in_turn();
       std::vector<std::array<Vec3, 2>> gradient(count);
-      results[n].resize(count);
+      results[n].resize(count), slopes[n].resize(count);
 #pragma omp parallel num_threads(threads)
       {
         Body::Nearby nearby(b);
@@ -329,6 +333,7 @@ struct OversetSolver::Impl {
             std::size_t const t = order[first + k];
             stencils[k] = b.stencil(t, nearby);
             gradient[t] = b.velocity_gradient(t, stencils[k]);
+            slopes[n][t] = core_slopes(b.triangles[t].frame, stencils[k]);
           }
           problems[n][static_cast<std::size_t>(omp_get_thread_num())].solve(std::span(stencils).first(size), dt,
                                                                             std::span(found).first(size));
@@ -374,7 +379,7 @@ struct OversetSolver::Impl {
         if (sleeping[n] != 0) {
           add_impulse(*bodies[n], dt, momenta[n]);
         } else {
-          accept(*bodies[n], results[n], dt, momenta[n]);
+          accept(n, dt);
         }
       } catch (...) {
 #pragma omp critical(overset_trouble)
@@ -405,11 +410,13 @@ struct OversetSolver::Impl {
     return report;
   }
 
-  void accept(Body& b, std::vector<ModelResult> const& result, double dt, BodyMomentum& held) {
+  void accept(std::size_t number, double dt) {
+    Body& b = *bodies[number];
+    BodyMomentum& held = momenta[number];
     std::uint64_t first_order = 0, failed = 0;
     for (std::size_t n = 0; n < b.triangles.size(); ++n) {
       TriangleState& t = b.triangles[n];
-      ModelResult const& r = result[n];
+      ModelResult const& r = results[number][n];
       t.pressure = r.pressure, t.velocity = t.frame.out_of(r.velocity);
       for (std::size_t k = 0; k < core_layers; ++k) {
         t.gas[k] = out_of_frame(t.frame, r.gas[k]), t.solid[k] = out_of_frame(t.frame, r.solid[k]);
@@ -420,10 +427,12 @@ struct OversetSolver::Impl {
     Untangled untangled;
     if (b.rigid) {
       finish_rigid_step(b, time, dt, held);
+      turn_cores(b, places[number], slopes[number], dt);
     } else {
       add_impulse(b, dt, held);
       b.move_vertices(dt, held.growth);
       b.place_triangles();
+      turn_cores(b, places[number], slopes[number], dt);
       changes = remesh(b, setup.remeshing);
       if (setup.remeshing.on) untangled = untangle(b.surface, b.cut);
       if (untangled.moved > 0) b.place_triangles();
