@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scheme/predictor/one_sided.hpp"
+#include "scheme/predictor/graded_share.hpp"
 #include "scheme/predictor/parabolic.hpp"
 
 namespace g27 {

@@ -66,15 +66,20 @@ inline std::array<int, 3> known_side(int axis, std::array<int, 3> cell, bool far
   return cell;
 }
 
+/// How far a switch acts on differences that bend: not at all up to half of `quiet`, in full from it on.
+inline double loudness(double far, double face, double quiet) noexcept {
+  return std::clamp(2 * std::fabs(face - far) / quiet - 1, 0.0, 1.0);
+}
+
 /// How far the switch may be left out where one far cell is not known: 1 where the difference across the face is -3/2
-/// or 1/3 of the far one or more, or their bend less than half of `quiet`; 0 from -1/2 to 1/6, and from `quiet` on. By
-/// degrees, so that round-off does not choose: that happens at -1, the tip that a core is where cells beside it are
-/// interpolated across a shock. A struck plate of 10 cells is .24 and -.17 % off so, and -.35 and -.76 % without.
+/// or 1/3 of the far one or more, or their bend is quiet; 0 where it is loud, from -1/2 to 1/6. By degrees, so that
+/// round-off does not choose: that happens at -1, the tip that a core is where cells beside it are interpolated across
+/// a shock. A struck plate of 10 cells is .24 and -.17 % off so, and -.35 and -.76 % without.
 inline double plainness(double far, double face, double quiet) noexcept {
-  double const bend = std::fabs(face - far);
-  if (2 * bend <= quiet) return 1;
+  double const loud = loudness(far, face, quiet);
+  if (loud == 0) return 1;
   double const part = face / far, turning = std::min(part + 1.5, 2 - 6 * part);
-  return turning > 0 ? 1 - std::min({1.0, turning, 2 * bend / quiet - 1}) : 1;
+  return turning > 0 ? 1 - std::min(turning, loud) : 1;
 }
 
 /// Cells of the stencil of a face from the block, the left one at (i, j, k). Beyond the block a difference is taken

@@ -173,8 +173,8 @@ void SolidSide::faces(int axis, std::array<int, 3> at, bool far_left, bool far_r
     double const M = q(cell::K) + 4.0 / 3.0 * strength_.mu, Z = std::sqrt(M * q(cell::rho));
     double const Z_shear = std::sqrt(strength_.mu * q(cell::rho)), most = quiet * M;
     auto const family = [&](KnownDifferences const& s, KnownDifferences const& u, double z) {
-      return std::min(plainness(s.far + z * u.far, s.face + z * u.face, most),
-                      plainness(s.far - z * u.far, s.face - z * u.face, most));
+      return 1 - std::max(loudness(s.far + z * u.far, s.face + z * u.face, most),
+                          loudness(s.far - z * u.far, s.face - z * u.face, most));
     };
     if (free != nullptr && free[lane]) {
       open[lane] = 1;
@@ -201,6 +201,7 @@ void SolidSide::faces(int axis, std::array<int, 3> at, bool far_left, bool far_r
                        .plastic = solid_.plastic(),
                        .tangent = true,
                        .monotonicity = options_.monotonicity,
+                       .two_way = true,  // a yielding cube in a blast gains momentum without: fsi/README.md
                        .out = rows(out),
                        .switched = 0,
                        .tangents = 0};

@@ -309,7 +309,7 @@ void solid_faces(SolidFaceArguments& g) noexcept {
   SolidFrameRows const right(terms ? g.right : g.cells, g.axis, solid_cell::terms);
   SolidFluxRows const out(g.out, g.axis);
   SolidStencil<EqualCells, V> s{q, terms ? &left : nullptr, terms ? &right : nullptr, 0, g.stride, g.dt / g.h, {}};
-  Slope const slopes{g.monotonicity};
+  Slope const slopes{g.monotonicity, g.two_way};
   LaneSum<V> count, tangents;
   std::ptrdiff_t const n = static_cast<std::ptrdiff_t>(g.faces);
   for (std::ptrdiff_t f = 0; f < n; f += static_cast<std::ptrdiff_t>(width<V>)) {

@@ -44,6 +44,7 @@ struct SolidFaceArguments {
   Strength strength;
   bool plastic, tangent;
   Switch monotonicity;
+  bool two_way = false;  ///< of the graded switch, solid_slope.hpp
   FieldRows out;
   double switched, tangents;  ///< out: faces on which the switch acted; that took the tangent modulus
 };

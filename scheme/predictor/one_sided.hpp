@@ -1,17 +1,10 @@
 #pragma once
 /// Extrapolation to the end of a row from the cells on one side of it: what an outgoing characteristic brings there.
+#include "scheme/predictor/graded_share.hpp"
 #include "scheme/predictor/solid_cells.hpp"
 #include "scheme/step/gas_options.hpp"
 
 namespace g27 {
-
-/// Share of the slope d at the end of a row that the graded switch leaves, `far` being the slope upwind of it: from 1
-/// down to 0 without a jump, so that round-off does not choose.
-template <Lane V>
-G27_INLINE V graded_share(V far, V d) noexcept {
-  V const product = far * d, square = d * d;
-  return select(2.0 * product >= square, V(1.0), max(2.0 * product, V(0.0)) / max(square, V(1e-300)));
-}
 
 /// A field at the face, averaged over the length s that its characteristic sweeps. F0, F1, F2 lie in the three cells
 /// away from the face, which are b, a, z of `cells`; s in units of L. Linear, or parabolic.

@@ -4,6 +4,7 @@
 /// cells around the face, over their lengths. The face value is (upwind cell) +- (h - s)/2 slope, s = |lambda| dt, with
 /// h the cell's width; lengths as solid_cells.hpp has them, h = 1 on a mesh of equal cells.
 #include "riemann/base/lane.hpp"
+#include "scheme/predictor/graded_share.hpp"
 #include "scheme/predictor/solid_cells.hpp"
 #include "scheme/step/gas_options.hpp"
 
@@ -26,6 +27,7 @@ struct SolidSlope {
   static constexpr bool first_order = predictor == Predictor::godunov;
   static constexpr bool third_order = predictor == Predictor::parabolic;
   Switch kind = Switch::off;
+  bool two_way = false;  ///< the graded switch acts beside a slope that is much steeper as well
 
   /// One switch for all families, from the normal stress.
   [[nodiscard]] G27_INLINE bool one_switch() const noexcept {
@@ -64,7 +66,8 @@ struct SolidSlope {
       bounded = max(zero, min(up, bound)) * sign;
     } else if (kind == Switch::graded) {
       V const product = D * B;
-      bounded = select(2.0 * product >= B * B, B, select(product > 0.0, V(2.0 * D), zero));
+      bounded = two_way ? V(two_way_share(D, B) * B)
+                        : select(2.0 * product >= B * B, B, select(product > 0.0, V(2.0 * D), zero));
     } else if (kind == Switch::binary) {
       Mask<V> const both =
           (3.0 * A - B) * B >= 0.0 && (3.0 * B - A) * B >= 0.0 && (3.0 * C - B) * B >= 0.0 && (3.0 * B - C) * B >= 0.0;
