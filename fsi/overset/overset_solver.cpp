@@ -173,9 +173,17 @@ struct OversetSolver::Impl {
     stable = find_stable_dt();
   }
 
-  /// Threads that go over the bodies side by side; loops within a body have them where there are fewer bodies.
-  [[nodiscard]] int over_bodies() const noexcept {
-    return bodies.size() >= static_cast<std::size_t>(threads) ? threads : 1;
+  /// Calls f with the number of every body: side by side, or where there are fewer bodies than threads one after the
+  /// other, since loops within a body have the threads then. Those of a loop within another start anew each time, even
+  /// where the outer one has a single thread: an octant with one cube took 9.1 s instead of 4.1.
+  template <class F>
+  void for_each_body(F const& f) const {
+    if (bodies.size() < static_cast<std::size_t>(threads)) {
+      for (std::size_t n = 0; n < bodies.size(); ++n) f(n);
+      return;
+    }
+#pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
+    for (std::size_t n = 0; n < bodies.size(); ++n) f(n);
   }
 
   void set_rates(bool all) {
@@ -199,8 +207,7 @@ struct OversetSolver::Impl {
 
   /// States of the cells that the grids' own schemes have updated; at the start of all.
   void read_states(bool all) {
-#pragma omp parallel for num_threads(over_bodies()) schedule(dynamic, 1)
-    for (std::size_t at = 0; at < bodies.size(); ++at) {
+    for_each_body([&](std::size_t at) {
       auto const& b = bodies[at];
       auto const read = [&](auto& region, int around, auto const& state) {
         std::vector<std::size_t> cells;
@@ -217,7 +224,7 @@ struct OversetSolver::Impl {
       int const everywhere = *std::max_element(b->gas.kinds.box().size.begin(), b->gas.kinds.box().size.end());
       read(b->gas, everywhere, [&](Int3 const& c) { return fields_of(setup.gas.eos, gas.average(c)); });
       read(b->solid, 0, [&](Int3 const& c) { return fields_of(b->setup.material.eos, b->grid.average(c)); });
-    }
+    });
   }
 
   void set_clouds() {
@@ -241,14 +248,13 @@ struct OversetSolver::Impl {
   void write_back(bool started) {
     std::vector<std::vector<Int3>> gas_cells(bodies.size());
     std::vector<std::vector<GasDensities>> gas_averages(bodies.size());
-#pragma omp parallel for num_threads(over_bodies()) schedule(dynamic, 1)
-    for (std::size_t n = 0; n < bodies.size(); ++n) {
+    for_each_body([&](std::size_t n) {
       auto const& b = bodies[n];
       FilledCells<GasFields> gas_filled = fill(
           b->gas, started, b->ambient, 0, [](Int3 const&) { return true; }, threads);
       gas_cells[n] = std::move(gas_filled.cells);
       for (GasFields const& q : gas_filled.states) gas_averages[n].push_back(densities_of(setup.gas.eos, q));
-      if (!started && sleeping[n] != 0) continue;
+      if (!started && sleeping[n] != 0) return;
       Vec3 mean{0, 0, 0};
       for (TriangleState const& t : b->triangles)
         mean = mean + (1.0 / static_cast<double>(b->triangles.size())) * t.velocity;
@@ -261,7 +267,7 @@ struct OversetSolver::Impl {
       std::vector<SolidDensities> solid_averages;
       for (SolidFields const& q : filled.states) solid_averages.push_back(densities_of(q));
       b->grid.replace(filled.cells, solid_averages);
-    }
+    });
     // one after the other: their windows overlap
     for (std::size_t n = 0; n < bodies.size(); ++n) gas.replace(gas_cells[n], gas_averages[n]);
   }
@@ -362,12 +368,11 @@ struct OversetSolver::Impl {
     }
     double const gas_done = seconds();
     std::vector<GridStepReport> of_solids(bodies.size(), report);
-#pragma omp parallel for num_threads(over_bodies()) schedule(dynamic, 1)
-    for (std::size_t n = 0; n < bodies.size(); ++n) {
+    for_each_body([&](std::size_t n) {
       SolidGrid& grid = bodies[n]->grid;
       if (sleeping[n] != 0 || bodies[n]->rigid) grid.rest(time + dt);
       while (grid.time() < time + dt && of_solids[n].status == StepStatus::ok) of_solids[n] = grid.step(time + dt);
-    }
+    });
     for (GridStepReport const& r : of_solids) {
       if (r.status != StepStatus::ok) return r;
     }
