@@ -67,7 +67,7 @@ std::map<std::string, double> values_of(CaseArguments const& a, Case const& chos
     }
     if (parameter.whole && value != std::floor(value)) {
       throw InputError("g27 case", "--set " + parameter.name, fmt::format("{} is not a whole number", value),
-                       "it is " + parameter.what);
+                       fmt::format("give one: {}", parameter.what));
     }
     values[parameter.name] = value;
   }

@@ -97,6 +97,9 @@ class StlCommand {
     if (!a_.repair_out.empty()) repair_surface();
     if (edge_ && report_.diagnosis.healthy()) remesh_surface();
     if (!a_.out.empty() && report_.diagnosis.healthy()) write("--out", a_.out);
+    if (!report_.diagnosis.healthy() && !(a_.repair_out.empty() && a_.out.empty())) {
+      fmt::print(stderr, "the surface is still faulty: no file is written\n");
+    }
     if (a_.json) {
       fmt::print("{}\n", to_json(report_).dump(2));
     } else {

@@ -40,7 +40,13 @@ Case fsi_riemann_1d_case() {
       .parameters = {{.name = "density", .value = 2198.643, .unit = "kg/m^3", .what = "of the gas"},
                      {.name = "velocity", .value = 1893.214, .unit = "m/s", .what = "of the gas, against the solid"},
                      {.name = "pressure", .value = 23.70e9, .unit = "Pa", .what = "of the gas"},
-                     {.name = "yields", .value = 1, .unit = "1", .what = "the steel: 1 yes, 0 elastic"}}};
+                     {.name = "yields",
+                      .value = 1,
+                      .unit = "1",
+                      .what = "the steel: 1 yes, 0 elastic",
+                      .least = 0,
+                      .most = 1,
+                      .whole = true}}};
   out.run = [parameters = out.parameters](CaseOptions const& options) {
     auto const value = [&](char const* name) { return value_of(parameters, options, name); };
     Pair const law = gas_law(options.eos.value_or("jwl"));
