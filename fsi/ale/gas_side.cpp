@@ -149,8 +149,7 @@ void GasSide::faces(int axis, std::array<int, 3> cell, bool far_left, bool far_r
   PredictorKernel const kernel = first_order ? PredictorKernel::godunov : predictor_;
   if (kernel == PredictorKernel::godunov) left = right = nullptr;
   double free[model_lanes] = {};
-  for (std::size_t lane = 0; lane < model_lanes; ++lane) {
-    if (far_left && far_right) break;
+  for (std::size_t lane = 0; lane < model_lanes && !(far_left && far_right); ++lane) {
     auto const [i, j, k] = known_side(axis, cell, far_left);
     double const stiff = block_.at(K, i, j, k)[lane], Z = std::sqrt(stiff * block_.at(rho, i, j, k)[lane]);
     auto const dp = differences(block_, p, axis, cell, far_left, lane);

@@ -165,6 +165,10 @@ void SolidSide::faces(int axis, std::array<int, 3> at, bool far_left, bool far_r
   bool const godunov = first_order || options_.predictor == Predictor::godunov;
   double open[model_lanes];
   for (std::size_t lane = 0; lane < model_lanes; ++lane) {
+    if (free != nullptr && free[lane]) {
+      open[lane] = 1;
+      continue;
+    }
     auto const [i, j, k] = known_side(axis, at, far_left);
     auto const q = [&](int field) { return block_.at(static_cast<std::size_t>(field), i, j, k)[lane]; };
     auto const known = [&](int field) {
@@ -176,13 +180,9 @@ void SolidSide::faces(int axis, std::array<int, 3> at, bool far_left, bool far_r
       return 1 - std::max(loudness(s.far + z * u.far, s.face + z * u.face, most),
                           loudness(s.far - z * u.far, s.face - z * u.face, most));
     };
-    if (free != nullptr && free[lane]) {
-      open[lane] = 1;
-      continue;
-    }
     auto const S = known(cell::S + axis), p = known(cell::p);
     open[lane] = family({S.far - p.far, S.face - p.face}, known(cell::u + axis), Z);
-    for (int other = 1; other < 3; ++other) {
+    for (int other = 1; other < 3 && open[lane] > 0; ++other) {
       int const c = (axis + other) % 3;
       std::size_t const shear = tensor_place[static_cast<std::size_t>(axis)][static_cast<std::size_t>(c)];
       open[lane] = std::min(open[lane], family(known(cell::S + static_cast<int>(shear)), known(cell::u + c), Z_shear));

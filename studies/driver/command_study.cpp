@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "studies/driver/atomic_file.hpp"
 #include "studies/driver/command.hpp"
 #include "studies/driver/folder_lock.hpp"
 #include "studies/driver/lookup.hpp"

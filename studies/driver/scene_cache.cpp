@@ -1,11 +1,11 @@
 #include "studies/driver/scene_cache.hpp"
-#include "studies/driver/folder_lock.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "studies/driver/earlier_results.hpp"
+#include "studies/driver/folder_lock.hpp"
 #include "studies/driver/hdf5_file.hpp"
 #include "studies/driver/input_error.hpp"
 #include "studies/driver/output.hpp"
