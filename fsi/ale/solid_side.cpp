@@ -13,6 +13,16 @@ namespace face = solid_face;
 constexpr double quiet = 1e-3;       ///< bend of the amplitudes over K + 4 mu/3 up to which no switch acts
 constexpr double most_change = 0.3;  ///< of the density in a step, relative
 
+/// Whether the body ends within the local grid behind the contact, or on both sides of a layer: too little is known of
+/// a tip for a switch to judge. One that does slows a spinning tetrahedron by 5 % in a quarter turn.
+bool is_tip(ModelStencil const& s) noexcept {
+  bool tip = s.solid_ghost[1][1][1] || s.solid_ghost[2][1][1];
+  for (auto const& layer : s.solid_ghost) {
+    tip = tip || (layer[0][1] && layer[2][1]) || (layer[1][0] && layer[1][2]);
+  }
+  return tip;
+}
+
 template <std::size_t fields>
 FieldRows rows(LaneRows<fields>& r) noexcept {
   return {r.q[0], lane_stride};
@@ -43,6 +53,7 @@ void SolidSide::load(std::span<ModelStencil const> stencils, std::array<Vec3, mo
   stencils_ = stencils, frame_ = frame;
   for (std::size_t lane = 0; lane < model_lanes; ++lane) {
     ModelStencil const& s = stencils[std::min(lane, stencils.size() - 1)];
+    tip_[lane] = is_tip(s);
     for (int i = 0; i < 3; ++i) {
       for (int j = 0; j < 3; ++j) {
         for (int k = 0; k < 3; ++k) {
@@ -165,7 +176,7 @@ void SolidSide::faces(int axis, std::array<int, 3> at, bool far_left, bool far_r
   bool const godunov = first_order || options_.predictor == Predictor::godunov;
   double open[model_lanes];
   for (std::size_t lane = 0; lane < model_lanes; ++lane) {
-    if (free != nullptr && free[lane]) {
+    if (tip_[lane] || (free != nullptr && free[lane])) {
       open[lane] = 1;
       continue;
     }

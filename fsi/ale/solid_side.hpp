@@ -51,6 +51,7 @@ class SolidSide {
   std::vector<Terms> terms_;
   std::span<ModelStencil const> stencils_;
   std::array<Vec3, model_lanes> frame_{};
+  std::array<bool, model_lanes> tip_{};  ///< where no switch acts
   LaneRows<3> given_;
   std::array<Averages, core_layers> now_, next_;
 };

@@ -26,7 +26,7 @@ OversetSetup setup_of(SceneRun const& run) {
   out.solid_options.transverse = o.transverse;
   out.solid_options.threads = o.threads;
   out.local.riemann = o.riemann;
-  out.closure = plan.closure;
+  out.closure = plan.closure, out.remeshing.on = plan.remeshing;
   out.cfl = plan.cfl, out.solid_options.cfl = plan.body_cfl;
   return out;
 }

@@ -75,6 +75,7 @@ struct GridRun {
   std::function<GasPoint(Vec3 const& x)> point{};  ///< of a run with bodies: the state at the start
   double cfl = 0, body_cfl = 0;                    ///< of runs with bodies: of the gas, of the solids; 0: chosen
   bool closure = false;                            ///< momentum of bodies is what the pressures gave them
+  bool remeshing = true;                           ///< surfaces of bodies are meshed anew where triangles grow bad
 };
 
 /// One run of a scene: a variant of the scene with one scheme.

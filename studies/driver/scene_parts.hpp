@@ -51,8 +51,8 @@ InitialData read_initial(Section const& root, AnyEos const& eos, Symmetry symmet
 /// [scheme]: one set of options a scheme asked for.
 std::vector<GasSchemeOptions> read_schemes(Section const& root, double cfl);
 std::vector<GridSchemeOptions> read_grid_schemes(Section const& root, double cfl, int dimensions);
-/// [scheme] closure.
-bool read_closure(Section const& root);
+/// [scheme] closure and remeshing.
+void read_scheme_of_bodies(Section const& root, GridRun& grid);
 /// Bodies know the schemes of first and second order, and the sum rule for the time step.
 void check_schemes_of_bodies(Section const& root, GridSchemeOptions const& options, double body_cfl);
 

@@ -244,7 +244,7 @@ std::vector<SceneRun> read_grid_runs(Section const& root, SceneRun run) {
   run.output.remarks = covered_probes(grid, box, run.output);
 
   std::vector<SceneRun> runs;
-  if (!grid.bodies.empty()) grid.closure = read_closure(root);
+  if (!grid.bodies.empty()) read_scheme_of_bodies(root, grid);
   for (GridSchemeOptions options : read_grid_schemes(root, cfl.value_or(GasSchemeOptions{}.cfl), dimensions)) {
     if (!grid.bodies.empty()) check_schemes_of_bodies(root, options, grid.body_cfl);
     options.maps = run.output.repairs;

@@ -84,7 +84,7 @@ std::vector<GridSchemeOptions> read_grid_schemes(Section const& root, double cfl
   std::vector<std::string> keys{"order", "name",   "switch", "riemann",  "linear_star", "transverse",
                                 "cure",  "repair", "skip",   "max_rule", "tile"};
   if (root.has("body")) {
-    keys.emplace_back("closure");
+    keys.insert(keys.end(), {"closure", "remeshing"});
   }
   Section const section = root.table("scheme", keys);
   read_common(section, options);
@@ -99,16 +99,18 @@ std::vector<GridSchemeOptions> read_grid_schemes(Section const& root, double cfl
   return one_each(section, options);
 }
 
-bool read_closure(Section const& root) {
+void read_scheme_of_bodies(Section const& root, GridRun& grid) {
   Node const* scheme = root.node().find("scheme");
-  if (scheme == nullptr || scheme->find("closure") == nullptr) {
-    return false;
+  if (scheme == nullptr) {
+    return;
   }
   std::vector<std::string> every_key;
   for (NodeEntry const& entry : std::get<Node::Table>(scheme->value)) {
     every_key.push_back(entry.key);
   }
-  return root.table("scheme", every_key).flag("closure", false);
+  Section const section = root.table("scheme", every_key);
+  grid.closure = section.flag("closure", grid.closure);
+  grid.remeshing = section.flag("remeshing", grid.remeshing);
 }
 
 void check_schemes_of_bodies(Section const& root, GridSchemeOptions const& options, double body_cfl) {

@@ -15,8 +15,9 @@ namespace {
 
 std::vector<CaseParameter> const parameters{
     {"end", 4e-6, "s", "time", 1e-7, 60e-6},
-    {"angle", 0, "rad", "by which the cube is turned about (0.3, 0.5, 1)", 0, 3.2},
+    {"angle", 0, "rad", "by which the body is turned about (0.3, 0.5, 1)", 0, 3.2},
     {"closure", 0, "1", "1: momentum of the body is kept exactly", 0, 1, true},
+    {"body", 0, "1", "0 cube, 1 tetrahedron of the same edge", 0, 1, true},
     {"elastic", 0, "1", "1: without yield stress", 0, 1, true},
     {"remeshing", 1, "1", "0: the surface keeps its triangles", 0, 1, true},
     literal_parameter()};
@@ -41,8 +42,9 @@ Case cube_blast_case() {
     problem.setup.closure = value_of(parameters, options, "closure") > 0;
     problem.setup.remeshing.on = value_of(parameters, options, "remeshing") > 0;
     problem.setup.literal = literal_reading(value_of(parameters, options, "literal"));
-    BodySetup body{.surface = placed(make_box({edge, edge, edge}, h), {0.3, 0.5, 1},
-                                     value_of(parameters, options, "angle"), middle),
+    bool const cube = value_of(parameters, options, "body") < 1;
+    TriangleSurface const shape = cube ? make_box({edge, edge, edge}, h) : make_tetrahedron(edge, h);
+    BodySetup body{.surface = placed(shape, {0.3, 0.5, 1}, value_of(parameters, options, "angle"), middle),
                    .material = steel.scheme,
                    .cell = h,
                    .initial = [=](Vec3 const&) {
