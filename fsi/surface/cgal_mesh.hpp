@@ -23,7 +23,8 @@ Mesh to_cgal(TriangleSurface const& surface) {
   return mesh;
 }
 
-/// Vertices and triangles in the order of the mesh, which holds no removed elements.
+/// Vertices and triangles in the order of the mesh, which holds no removed elements; the first side of a triangle is
+/// the one after its halfedge, which is the last of those that it was added by.
 template <class Mesh>
 TriangleSurface from_cgal(Mesh const& mesh) {
   TriangleSurface out;
@@ -33,7 +34,7 @@ TriangleSurface from_cgal(Mesh const& mesh) {
   }
   for (auto const f : mesh.faces()) {
     Triangle t{};
-    auto h = mesh.halfedge(f);
+    auto h = mesh.next(mesh.halfedge(f));
     for (int& corner : t) {
       corner = static_cast<int>(mesh.source(h));
       h = mesh.next(h);

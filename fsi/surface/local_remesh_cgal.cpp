@@ -40,6 +40,16 @@ double height_of(Corners const& c) {
   for (std::size_t k = 0; k < 3; ++k) longest = std::max(longest, length(c[(k + 1) % 3] - c[k]));
   return 2 * length(area_of(c)) / (longest * longest);
 }
+/// The side, from its corner on, that is least like the two others: mirror images have each other's.
+std::size_t odd_side(Corners const& c) {
+  double const l[3] = {length(c[1] - c[0]), length(c[2] - c[1]), length(c[0] - c[2])};
+  auto const odd = [&](std::size_t k) { return std::fabs(2 * l[k] - l[(k + 1) % 3] - l[(k + 2) % 3]); };
+  std::size_t side = 0;
+  for (std::size_t k = 1; k < 3; ++k) {
+    if (odd(k) > odd(side)) side = k;
+  }
+  return side;
+}
 double longest_of(Corners const& c) {
   return std::max({length(c[1] - c[0]), length(c[2] - c[1]), length(c[0] - c[2])});
 }
@@ -51,7 +61,8 @@ class Remesher {
         cos_sharp_(std::cos(options.feature_angle * std::numbers::pi / 180)),
         mesh_(to_cgal<Mesh>(surface)) {
     parents_ = mesh_.add_property_map<Face, std::vector<int>>("f:parents").first;
-    for (Face const f : mesh_.faces()) parents_[f] = {static_cast<int>(f)};
+    was_ = mesh_.add_property_map<Face, Corners>("f:was").first;
+    for (Face const f : mesh_.faces()) parents_[f] = {static_cast<int>(f)}, was_[f] = corners(f);
   }
 
   LocalRemesh run() {
@@ -60,6 +71,7 @@ class Remesher {
       split(), collapse(), flip(), move();
       if (changes() == before) break;
     }
+    for (Face const f : mesh_.faces()) set_first_side(f);
     mesh_.collect_garbage();
     LocalRemesh out{.surface = from_cgal(mesh_), .parents = {}, .counts = counts_};
     for (Face const f : mesh_.faces()) {
@@ -82,6 +94,16 @@ class Remesher {
   [[nodiscard]] Corners corners(Face f) const {
     Half const h = mesh_.halfedge(f);
     return {at(mesh_.source(h)), at(mesh_.target(h)), at(mesh_.target(mesh_.next(h)))};
+  }
+  /// A triangle that is what it was keeps its first side.
+  void set_first_side(Face f) {
+    Corners const now = corners(f), &was = was_[f];
+    std::size_t side = 0;
+    while (side < 3 && (now[side] != was[0] || now[(side + 1) % 3] != was[1] || now[(side + 2) % 3] != was[2])) ++side;
+    if (side == 3) side = odd_side(now);
+    Half h = mesh_.prev(mesh_.halfedge(f));
+    for (std::size_t k = 0; k < side; ++k) h = mesh_.next(h);
+    mesh_.set_halfedge(f, h);
   }
   /// Calls f(halfedge to v) for the triangles around a vertex.
   template <class F>
@@ -337,6 +359,7 @@ class Remesher {
   double cos_sharp_;
   Mesh mesh_;
   Mesh::Property_map<Face, std::vector<int>> parents_;
+  Mesh::Property_map<Face, Corners> was_;  ///< of a triangle that there was
   LocalRemeshCounts counts_;
 };
 
