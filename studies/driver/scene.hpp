@@ -40,7 +40,7 @@ struct OutputPlan {
   int map_times = 200;               ///< slices of a line's x-t map
   Vec3 origin{0, 0, 0};              ///< of a grid: where the rays that measure shock radii start
   bool repairs = false;              ///< of a grid: how often switch, cure and repair acted in each cell
-  std::vector<std::string> remarks;  ///< on probes that see no gas at the start
+  std::vector<std::string> remarks;  ///< on probes that see no gas at the start, and on the charge's mass
 };
 
 /// A first phase on a line, for data that are symmetric about a centre; then mapped onto the grid.

@@ -101,12 +101,20 @@ std::vector<SolidBlock> read_blocks(Section const& root, GridBox const& box) {
   return out;
 }
 
-double distance_to_block(SolidBlock const& block, GridBox const& box, Vec3 const& x) {
-  double squared = 0;
+std::vector<std::array<double, 2>> extent_of(SolidBlock const& block, GridBox const& box) {
+  std::vector<std::array<double, 2>> out;
   for (std::size_t d = 0; d < static_cast<std::size_t>(dimensions_of(box)); ++d) {
     double const h = (box.upper[d] - box.lower[d]) / box.cells[d];
-    double const low = box.lower[d] + h * block.first[d], high = box.lower[d] + h * block.last[d];
-    double const gap = std::max({0.0, low - x[d], x[d] - high});
+    out.push_back({box.lower[d] + h * block.first[d], box.lower[d] + h * block.last[d]});
+  }
+  return out;
+}
+
+double distance_to_block(SolidBlock const& block, GridBox const& box, Vec3 const& x) {
+  auto const extent = extent_of(block, box);
+  double squared = 0;
+  for (std::size_t d = 0; d < extent.size(); ++d) {
+    double const gap = std::max({0.0, extent[d][0] - x[d], x[d] - extent[d][1]});
     squared += gap * gap;
   }
   return std::sqrt(squared);

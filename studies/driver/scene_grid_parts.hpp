@@ -18,6 +18,7 @@ std::array<GridBoundary, 6> read_sides(Section const& domain, AnyEos const& eos,
 std::vector<BoundaryPatch> read_patches(Section const& domain, AnyEos const& eos, GridBox const& box);
 /// [[block]]: boxes rounded to whole cells.
 std::vector<SolidBlock> read_blocks(Section const& root, GridBox const& box);
+std::vector<std::array<double, 2>> extent_of(SolidBlock const& block, GridBox const& box);
 double distance_to_block(SolidBlock const& block, GridBox const& box, Vec3 const& x);
 
 /// Distance to a surface, no more than the true one; < 0 inside.
@@ -45,6 +46,9 @@ struct GridRegions {
 };
 /// [ambient], [[region]] and [[charge]].
 GridRegions read_regions(Section const& root, AnyEos const& eos, int dimensions);
+/// Throws where one of them, or an obstacle of the charge, is beside the grid or between the centres of its cells, and
+/// where the blocks leave no cell.
+void check_covers(GridRegions const& regions, std::vector<SolidBlock> const& blocks, GridBox const& box);
 /// obstacle = [{ shape = ... }, ...] of a charge.
 std::vector<Obstacle> read_obstacles(Section const& charge, double radius, int dimensions);
 /// The burn of a charge. The front goes around its obstacles and the grid's blocks.

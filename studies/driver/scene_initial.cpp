@@ -21,6 +21,18 @@ InitialState constant(GasState<> const& state) {
   return [state](double) { return state; };
 }
 
+/// A piece beside the domain, or smaller than a cell, is a slip: in a unit or in its place.
+void check_covers(Piece const& piece, std::vector<double> const& faces) {
+  for (std::size_t i = 0; i + 1 < faces.size(); ++i) {
+    double const centre = 0.5 * (faces[i] + faces[i + 1]);
+    if (centre >= piece.from && centre <= piece.to) return;
+  }
+  throw piece.section.error(
+      piece.section.has("extent") ? "extent" : "radius",
+      fmt::format("covers no centre of a cell of the domain, {} m to {} m", faces.front(), faces.back()),
+      "move it into the domain, or take smaller cells; a bare number is in SI units");
+}
+
 /// Pieces must not overlap and, without an ambient state, must leave no gap.
 InitialState assemble(std::vector<Piece> pieces, std::optional<GasState<>> const& ambient, Section const& root,
                       double left, double right) {
@@ -176,7 +188,8 @@ GasState<> read_state(Section const& section, AnyEos const& eos) {
   return state;
 }
 
-InitialData read_initial(Section const& root, AnyEos const& eos, Symmetry symmetry, double left, double right) {
+InitialData read_initial(Section const& root, AnyEos const& eos, Symmetry symmetry, std::vector<double> const& faces) {
+  double const left = faces.front(), right = faces.back();
   bool const pieces_given = root.has("ambient") || root.has("region") || root.has("charge");
   if (root.has("initial")) {
     if (pieces_given) {
@@ -206,6 +219,7 @@ InitialData read_initial(Section const& root, AnyEos const& eos, Symmetry symmet
     pieces.push_back({0.0, charge.radius, charge.state, charge.section});
     data.charge = charge;
   }
+  for (Piece const& piece : pieces) check_covers(piece, faces);
   data.state = assemble(std::move(pieces), ambient, root, left, right);
   return data;
 }

@@ -31,32 +31,15 @@ std::vector<NamedObstacle> obstacles_of(Charge const& charge, GasGridSetup const
   for (std::size_t n = 0; n < grid.blocks.size(); ++n) {
     SolidBlock const& block = grid.blocks[n];
     if (distance_to_block(block, box, charge.centre) >= charge.radius) continue;
-    std::vector<std::array<double, 2>> extent;
     double width = 1e300;
     for (std::size_t d = 0; d < static_cast<std::size_t>(dimensions_of(box)); ++d) {
-      double const h = (box.upper[d] - box.lower[d]) / box.cells[d];
-      extent.push_back({box.lower[d] + h * block.first[d], box.lower[d] + h * block.last[d]});
-      width = std::min(width, h);
+      width = std::min(width, (box.upper[d] - box.lower[d]) / box.cells[d]);
     }
-    out.push_back(
-        {fmt::format("block.{}", n),
-         grown(distance_to_box(extent), grid.blocks.size() > 1 ? overlap_of_blocks * width : overlap * charge.radius)});
+    out.push_back({fmt::format("block.{}", n),
+                   grown(distance_to_box(extent_of(block, box)),
+                         grid.blocks.size() > 1 ? overlap_of_blocks * width : overlap * charge.radius)});
   }
   return out;
-}
-
-/// Smaller charges would leave nothing to detonate.
-void check_size(Charge const& charge, GridBox const& box) {
-  Vec3 nearest{0, 0, 0};  // of the cells' centres
-  for (std::size_t d = 0; d < static_cast<std::size_t>(dimensions_of(box)); ++d) {
-    double const h = (box.upper[d] - box.lower[d]) / box.cells[d];
-    double const cell = std::clamp(std::floor((charge.centre[d] - box.lower[d]) / h), 0.0, box.cells[d] - 1.0);
-    nearest[d] = box.lower[d] + (cell + 0.5) * h;
-  }
-  if (length(nearest - charge.centre) > charge.radius) {
-    throw charge.section.error("radius", fmt::format("{:g} m covers no centre of a cell", charge.radius),
-                               "take smaller cells, or move the charge into the domain");
-  }
 }
 
 void check_ignition(Charge const& charge, std::vector<NamedObstacle> const& obstacles, GridBox const& box) {
@@ -96,7 +79,6 @@ std::vector<Obstacle> read_obstacles(Section const& charge, double radius, int d
 
 ProgrammedBurn burn_around(Charge const& charge, GasGridSetup const& grid) {
   GridBox const box{grid.lower, grid.upper, grid.cells};
-  check_size(charge, box);
   auto const obstacles = obstacles_of(charge, grid, box);
   bool const told = charge.section.has("ignition") || !obstacles.empty();
   if (charge.burn.there() && told) check_ignition(charge, obstacles, box);

@@ -41,12 +41,18 @@ struct Charge {
 /// `dimensions` of the mesh: on a grid of 2 or 3 a charge has a `center`.
 std::vector<Charge> read_charges(Section const& root, AnyEos const& eos, Symmetry symmetry, int dimensions = 1);
 
+/// Where the cells do not hold the charge's mass to 5 %, says how much they hold: the centres of a grid's cells decide
+/// on what is unburnt, a line has the state at a few points of each cell. Of a grid, `shape` is what the charge fills.
+std::vector<std::string> mass_remarks(Charge const& charge, Symmetry symmetry, std::vector<double> const& faces);
+std::vector<std::string> mass_remarks(Charge const& charge, std::function<double(Vec3 const&)> const& shape,
+                                      GasGridSetup const& grid);
+
 struct InitialData {
   InitialState state;
   std::optional<Charge> charge;
 };
-/// [ambient], [[region]], [[charge]] and [initial] over the faces' extent.
-InitialData read_initial(Section const& root, AnyEos const& eos, Symmetry symmetry, double left, double right);
+/// [ambient], [[region]], [[charge]] and [initial] over the cells between the faces.
+InitialData read_initial(Section const& root, AnyEos const& eos, Symmetry symmetry, std::vector<double> const& faces);
 
 /// [scheme]: one set of options a scheme asked for.
 std::vector<GasSchemeOptions> read_schemes(Section const& root, double cfl);

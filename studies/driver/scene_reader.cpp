@@ -71,22 +71,6 @@ void check_domain(Section const& domain, GasLineSetup const& setup) {
   }
 }
 
-/// A region beside the domain is a slip: in a unit or in its place.
-void check_regions(GridRegions const& regions, GridBox const& box) {
-  Vec3 middle{};
-  double reach = 0;
-  for (std::size_t d = 0; d < static_cast<std::size_t>(dimensions_of(box)); ++d) {
-    middle[d] = 0.5 * (box.lower[d] + box.upper[d]);
-    reach = std::hypot(reach, 0.5 * (box.upper[d] - box.lower[d]));
-  }
-  for (GridRegion const& region : regions.list) {
-    if (region.distance(middle) > reach) {
-      throw region.section.error(region.kind == "charge" ? "center" : "shape", "lies wholly outside the domain",
-                                 "move it or enlarge the domain; a bare number is in SI units");
-    }
-  }
-}
-
 /// Whether the cell that x lies in is of the block.
 bool covers(SolidBlock const& block, GridBox const& box, Vec3 const& x) {
   for (std::size_t d = 0; d < 3; ++d) {
@@ -156,6 +140,15 @@ void take_charge(Charge const& charge, SceneRun& run) {
   }
 }
 
+void check_delays(Charge const& charge, double end) {
+  for (IgnitionPoint const& point : charge.ignition) {
+    if (point.time >= end) {
+      throw charge.section.error("delay", fmt::format("{} s is not before the end at {} s", point.time, end),
+                                 "light it sooner, or set time.end later");
+    }
+  }
+}
+
 /// The wave at breakout knows no body, and the grids at a body's surface know no burn.
 void keep_from_charge(Charge const& charge, std::vector<SceneBody> const& bodies, double cell) {
   for (SceneBody const& body : bodies) {
@@ -193,7 +186,7 @@ std::vector<SceneRun> read_line_runs(Section const& root, SceneRun run) {
   run.setup.right = read_boundary(domain, "right", run.setup.eos);
   check_domain(domain, run.setup);
 
-  InitialData const data = read_initial(root, run.setup.eos, run.setup.symmetry, left, right);
+  InitialData const data = read_initial(root, run.setup.eos, run.setup.symmetry, run.setup.faces);
   run.initial = data.state;
   if (data.charge) take_charge(*data.charge, run);
   if (data.charge && run.setup.motion.kind != MeshMotion::Kind::fixed) {
@@ -201,6 +194,7 @@ std::vector<SceneRun> read_line_runs(Section const& root, SceneRun run) {
   }
   double const cfl = read_cfl(read_time(root, run), "cfl", 1).value_or(GasSchemeOptions{}.cfl);
   run.output = read_output(root, run.start, run.end, {.lower = {left, 0, 0}, .upper = {right, 0, 0}});
+  if (data.charge) run.output.remarks = mass_remarks(*data.charge, run.setup.symmetry, run.setup.faces);
   std::vector<SceneRun> runs;
   for (GasSchemeOptions const& options : read_schemes(root, cfl)) {
     run.setup.options = options;
@@ -223,11 +217,12 @@ std::vector<SceneRun> read_grid_runs(Section const& root, SceneRun run) {
   grid.setup.patches = read_patches(domain, grid.setup.eos, box);
   grid.setup.blocks = read_blocks(root, box);
   GridRegions const regions = read_regions(root, grid.setup.eos, dimensions);
-  check_regions(regions, box);
+  check_covers(regions, grid.setup.blocks, box);
   if (regions.charge) {
     run.start = regions.charge->begin, grid.setup.burn = burn_around(*regions.charge, grid.setup);
   }
   Section const time = read_time(root, run);
+  if (regions.charge) check_delays(*regions.charge, run.end);
   std::optional<double> const cfl = read_cfl(time, "cfl", 1);
   grid.cfl = cfl.value_or(0), grid.body_cfl = read_cfl(time, "body_cfl", largest_body_cfl).value_or(grid.cfl);
   grid.initial = make_initial(regions.list, grid.setup.eos, dimensions);
@@ -242,6 +237,10 @@ std::vector<SceneRun> read_grid_runs(Section const& root, SceneRun run) {
     run.output.origin = grid.line->centre;
   }
   run.output.remarks = covered_probes(grid, box, run.output);
+  if (regions.charge && !grid.line) {
+    auto const more = mass_remarks(*regions.charge, regions.list.back().distance, grid.setup);
+    run.output.remarks.insert(run.output.remarks.end(), more.begin(), more.end());
+  }
 
   std::vector<SceneRun> runs;
   if (!grid.bodies.empty()) read_scheme_of_bodies(root, grid);

@@ -127,8 +127,8 @@ TEST_CASE("lighting times are those of Kenamond's problem, from one point and fr
   };
   auto const one = burn_of("");
   std::string const points = "ignition = [[\"0 cm\", \"0 cm\", \"0 cm\"], [\"1 cm\", \"0 cm\", \"0 cm\"]]\n";
-  auto const two = burn_of(points), late = burn_of(points + "delay = [\"0 us\", \"1 us\"]\n");
-  double const delay = 1e-6 * one.speed / unit;
+  auto const two = burn_of(points), late = burn_of(points + "delay = [\"0 us\", \"0.5 us\"]\n");
+  double const delay = 0.5e-6 * one.speed / unit;
   for (auto const& row : table.rows) {
     // the table has ten digits
     double const at_origin = one.lighting({unit * row[0], unit * row[1], 0}) * one.speed / unit;
@@ -230,7 +230,10 @@ TEST_CASE("fronts that cannot start or have no way are refused with key and reme
       {lit + "obstacle = [{ shape = \"sphere\", center = [\"2 cm\", \"2 cm\", \"2 cm\"], radius = \"1 cm\" }]\n[start]\none_dimensional_radius = \"7 cm\"\n", "start", "has obstacles", "remove [start]"},
       {lit + "delay = [\"0 us\", \"1 us\"]\n", "charge.0.delay", "not 1 times", "one for each point"},
       {lit + "delay = [\"-1 us\"]\n", "charge.0.delay", "from 0 on", "one for each point"},
-      {lit + "delay = [\"1 us\"]\n[start]\none_dimensional_radius = \"7 cm\"\n", "start", "at once", "remove [start]"},
+      {lit + "delay = [\"1 us\"]\n", "charge.0.delay", "not before the end", "time.end later"},
+      {lit + "obstacle = [{ shape = \"sphere\", center = [\"4 cm\", \"4 cm\", \"0 cm\"], radius = \"0.6 cm\" }]\n", "charge.0.obstacle.0", "touches nothing of the charge", "move it"},
+      {lit + "obstacle = [{ shape = \"sphere\", center = [\"-3 cm\", \"0 cm\", \"0 cm\"], radius = \"1 cm\" }]\n", "charge.0.obstacle.0", "touches nothing of the charge", "move it"},
+      {lit + "delay = [\"0.5 us\"]\n[start]\none_dimensional_radius = \"7 cm\"\n", "start", "at once", "remove [start]"},
   };
   // clang-format on
   for (Mistake const& m : mistakes) {
@@ -272,4 +275,28 @@ TEST_CASE("an unburnt charge on a line ends at a face", "[scene][charge]") {
   other.replace(other.find("0.0625 cm"), 9, "0.0640 cm");
   CHECK_NOTHROW(folder.scene(other + material));
   CHECK_THROWS_AS(folder.scene(other + material + "start = \"ignition\"\n"), g27::InputError);
+}
+
+TEST_CASE("the mass that few cells hold of a charge is told where it is off", "[scene][charge]") {
+  Folder const folder;
+  auto const edited = [](std::string text, std::string const& from, std::string const& to) {
+    return text.replace(text.find(from), from.size(), to);
+  };
+  auto const remarks = [&](std::string const& start, std::string const& cm, std::string const& more) {
+    return g27::remarks_on(folder.scene(start + edited(material, "5 cm", cm) + more));
+  };
+  std::string const lit = "start = \"ignition\"\n", edge = "center = [\"4 cm\", \"4 cm\", \"4.25 cm\"]\n",
+                    corner = "center = [\"0 cm\", \"0 cm\", \"0 cm\"]\n";
+  // around an edge of the grid four centres of cells lie within .75 cells: 4 / (4/3 pi .75^3) = 2.26
+  auto const few = remarks(grid, "0.375 cm", edge + lit);
+  REQUIRE(few.size() == 1);
+  CHECK(few[0].find("charge.0.radius: the cells hold 2.26 times the mass") == 0);
+  CHECK(remarks(grid, "0.375 cm", edge).empty());  // by the mean over points of each cell
+  CHECK(remarks(grid, "5 cm", corner + lit).empty());
+  // an octant of a ball of 1.6 cells: one centre where there should be pi/6 1.6^3 = 2.14
+  REQUIRE(remarks(grid, "0.8 cm", corner + lit).size() == 1);
+  CHECK(remarks(grid, "0.8 cm", corner + lit)[0].find("hold 0.46") != std::string::npos);
+  // a line has the wave at five points of each cell
+  CHECK(remarks(line, "0.046875 cm", "").size() == 1);
+  CHECK(remarks(line, "5.03 cm", "").empty());
 }
