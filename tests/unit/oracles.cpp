@@ -77,6 +77,22 @@ TEST_CASE("inadmissible arguments are errors, not crashes", "[oracle]") {
   CHECK_THROWS_AS(run("ep-piston", {{"p", "1e9"}}), OracleError);              // follows from the density
   CHECK_THROWS_AS(run("ep-piston", {{"sxx", "1e9"}}), OracleError);            // beyond the yield surface
   CHECK_THROWS_AS(run("ep-riemann", {{"x", "0"}}), OracleError);               // without t
+  // of another law than the one chosen
+  CHECK_THROWS_AS(run("gas-riemann", {{"A_l", "1e9"}}), OracleError);
+  CHECK_THROWS_AS(run("gas-riemann", {{"c0_r", "4000"}}), OracleError);
+  CHECK_THROWS_AS(run("ep-piston", {{"c0", "4000"}}), OracleError);
+  CHECK_THROWS_AS(run("ep-piston", {{"strength", "elastic"}, {"yield", "1e9"}}), OracleError);
+  OracleArguments const copper{{"eos", "constant-gruneisen"},
+                               {"rho0", "8930"},
+                               {"c0", "3940"},
+                               {"s", "1.489"},
+                               {"Gamma0", "2"},
+                               {"mu", "48e9"},
+                               {"yield", "1e9"}};
+  CHECK_NOTHROW(run("ep-piston", copper));
+  OracleArguments bulky = copper;
+  bulky["K"] = "140e9";
+  CHECK_THROWS_AS(run("ep-piston", bulky), OracleError);
   CHECK_THROWS_AS(run("ep-riemann", {{"strength_l", "brittle"}}), OracleError);
   CHECK_THROWS_AS(run("elastic-riemann", {{"mu", "0"}}), OracleError);  // no shear waves
   CHECK_THROWS_AS(run("blake", {{"r", "0.05"}}), OracleError);          // inside the cavity

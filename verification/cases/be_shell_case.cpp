@@ -55,8 +55,8 @@ Case be_shell_case() {
                            .value = 619.787,
                            .unit = "m/s",
                            .what = "of the inner wall, inwards",
-                           .least = 1,
-                           .most = 800}}};
+                           .least = 50,
+                           .most = 720}}};
   out.run = [parameters = out.parameters](CaseOptions const& options) {
     SolidMedium const m = solid_medium(options.eos.value_or("beryllium"), true);
     Shell const shell{.inner = 0.08, .outer = 0.10, .rho = m.rho0, .yield = m.exact.yield, .hardening = 0};

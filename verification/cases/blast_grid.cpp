@@ -48,7 +48,7 @@ std::vector<CaseParameter> const sedov_parameters{
     {"source_cells", 0, "1",
      "cells along an edge of the cube at the origin where the energy starts; 0: 1 in 2D, cells/32 but at least 1 in "
      "3D",
-     0}};
+     0, 1000, true}};
 std::vector<CaseParameter> const noh_parameters{{"pressure", cold, "Pa", "of the gas that falls in", 1e-12, 1}};
 
 }  // namespace
@@ -63,6 +63,7 @@ Case sedov_grid_case(std::string const& name, int dimensions) {
     GridProblem grid{.eos = IdealGas{gamma}, .dimensions = dimensions, .upper = {size, size, size}, .t_end = 1.0};
     make_corner(grid, outflow_side);
     double const n = options.cells.value_or(cells), asked = value_of(sedov_parameters, options, "source_cells");
+    if (asked > n / 4) throw std::invalid_argument("the source must be no wider than a quarter of the domain");
     double const edge = size / n * (asked > 0 ? asked : dimensions == 2 ? 1.0 : std::max(1.0, source_share_3d * n));
     double const hot = alpha / std::pow(2 * edge, dimensions);
     grid.initial = [=](Vec3 const& x, Vec3 const& h) -> GasDensities {

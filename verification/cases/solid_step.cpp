@@ -129,6 +129,7 @@ Case solid_step_case(std::string const& name, int dimensions) {
     SolidMedium const m = solid_medium(options.eos.value_or("steel"));
     ObliqueBox const box = dimensions == 1 ? ObliqueBox{{1, 0, 0}, {1, 1, 1}} : oblique_box(dimensions);
     double const normal = value_of(parameters, options, "normal"), shear = value_of(parameters, options, "shear");
+    if (normal == 0 && shear == 0) throw std::invalid_argument("normal and shear are both 0: there is no step");
     auto const step =
         std::make_shared<Step const>(step_of(m, box.normal, normal, shear, value_of(parameters, options, "stress")));
     SolidProblem problem{.solid = m.scheme, .dimensions = dimensions, .upper = box.upper};

@@ -7,22 +7,22 @@
 namespace g27 {
 namespace {
 
-/// Parameters of every law, in the order in which they are listed; a name shared by laws appears once.
+/// Parameters of every law, in the order in which they are listed; a name shared by `laws` appears once.
 struct LawParameter {
-  char const *name, *unit, *what;
+  char const *name, *unit, *what, *laws;
 };
 constexpr LawParameter law_parameters[] = {
-    {"gamma", "1", "ratio of specific heats (ideal, stiffened)"},
-    {"p_inf", "Pa", "stiffening pressure (stiffened)"},
-    {"A", "Pa", "first coefficient (jwl)"},
-    {"B", "Pa", "second coefficient (jwl)"},
-    {"R1", "1", "first exponent (jwl)"},
-    {"R2", "1", "second exponent (jwl)"},
-    {"omega", "1", "Grueneisen coefficient (jwl)"},
-    {"rho0", "kg/m^3", "reference density (jwl, mie-gruneisen)"},
-    {"c0", "m/s", "intercept of the shock locus (mie-gruneisen)"},
-    {"s", "1", "slope of the shock locus (mie-gruneisen)"},
-    {"Gamma0", "1", "Grueneisen coefficient at rho0 (mie-gruneisen)"},
+    {"gamma", "1", "ratio of specific heats", "ideal, stiffened"},
+    {"p_inf", "Pa", "stiffening pressure", "stiffened"},
+    {"A", "Pa", "first coefficient", "jwl"},
+    {"B", "Pa", "second coefficient", "jwl"},
+    {"R1", "1", "first exponent", "jwl"},
+    {"R2", "1", "second exponent", "jwl"},
+    {"omega", "1", "Grueneisen coefficient", "jwl"},
+    {"rho0", "kg/m^3", "reference density", "jwl, mie-gruneisen"},
+    {"c0", "m/s", "intercept of the shock locus", "mie-gruneisen"},
+    {"s", "1", "slope of the shock locus", "mie-gruneisen"},
+    {"Gamma0", "1", "Grueneisen coefficient at rho0", "mie-gruneisen"},
 };
 
 double parse(std::string const& key, std::string const& text) {
@@ -89,14 +89,28 @@ std::string word(OracleArguments const& arguments, std::string const& key, std::
 std::vector<OracleParameter> eos_parameters(std::string const& suffix, std::string const& fallback) {
   std::vector<OracleParameter> out{
       {"eos" + suffix, fallback, "", "equation of state: ideal, stiffened, jwl, mie-gruneisen"}};
-  for (auto const& p : law_parameters) out.push_back({p.name + suffix, not_given, p.unit, p.what});
+  for (auto const& p : law_parameters) {
+    out.push_back({p.name + suffix, not_given, p.unit, std::string(p.what) + " (" + p.laws + ")"});
+  }
   return out;
+}
+
+void refuse_other_laws(OracleArguments const& arguments, std::string const& suffix, std::string const& law,
+                       std::vector<std::string> const& own) {
+  for (auto const& p : law_parameters) {
+    bool const has =
+        std::string(p.laws).find(law) != std::string::npos || std::find(own.begin(), own.end(), p.name) != own.end();
+    if (!has && given(arguments, p.name + suffix))
+      throw OracleError{p.name + suffix, "is of no use: " + law + " has none",
+                        "leave it out, or choose a law that has it: " + std::string(p.laws)};
+  }
 }
 
 ExactEos eos_argument(OracleArguments const& arguments, std::string const& suffix, std::string const& other_suffix) {
   bool const named = given(arguments, "eos" + suffix);
   std::string const& source = named ? suffix : other_suffix;
   std::string const name = word(arguments, "eos" + source, {"ideal", "stiffened", "jwl", "mie-gruneisen"});
+  refuse_other_laws(arguments, suffix, name);
   bool const shared = !other_suffix.empty() && arguments.at("eos" + other_suffix) == name;
   auto value = [&](std::string const& key) {
     if (given(arguments, key + suffix)) return number(arguments, key + suffix);

@@ -34,8 +34,13 @@ std::optional<Samples> samples_argument(OracleArguments const& arguments);
 
 /// The parameters of all laws, each with `suffix` appended; `eos` falls back to `fallback`.
 std::vector<OracleParameter> eos_parameters(std::string const& suffix = "", std::string const& fallback = "ideal");
+/// Throws OracleError for a parameter that is given, with `suffix`, though `law` has none of that name; `own`: those of
+/// a law that only solids have.
+void refuse_other_laws(OracleArguments const& arguments, std::string const& suffix, std::string const& law,
+                       std::vector<std::string> const& own = {});
 /// The law named by `eos` + suffix. A parameter not given is taken from `other_suffix`, when there is one and its law
-/// is the same; gamma falls back to 1.4 for the ideal gas. Throws OracleError for a parameter that the law lacks.
+/// is the same; gamma falls back to 1.4 for the ideal gas. Throws OracleError for a parameter that is
+/// missing, or that the law has not.
 ExactEos eos_argument(OracleArguments const& arguments, std::string const& suffix = "",
                       std::string const& other_suffix = "");
 

@@ -51,10 +51,17 @@ SolidMaterial solid_material_argument(OracleArguments const& arguments, std::str
   auto positive = [&](std::string const& key, double fallback) {
     return above(arguments, key + suffix, value(key, fallback), 0, false);
   };
+  auto refuse = [&](std::string const& key, std::string const& why) {
+    if (given(arguments, key + suffix))
+      throw OracleError{key + suffix, "is of no use: " + why, "leave it out, or choose a solid that has it"};
+  };
   SolidMaterial out;
+  if (!linear) refuse("K", name + " has none");
   if (linear) {
+    refuse_other_laws(arguments, suffix, name, {"rho0"});
     out.law = LinearBulkLaw{.K = positive("K", 175e9), .rho0 = positive("rho0", 7800)};
   } else if (name == "constant-gruneisen") {
+    refuse_other_laws(arguments, suffix, name, {"rho0", "c0", "s", "Gamma0"});
     out.law = ConstantGammaLaw{.rho0 = positive("rho0", required),
                                .c0 = positive("c0", required),
                                .s = above(arguments, "s" + suffix, value("s", required), 1, false),
@@ -72,7 +79,10 @@ SolidMaterial solid_material_argument(OracleArguments const& arguments, std::str
       "strength" + (given(arguments, "strength" + suffix) || !shared ? suffix : other_suffix);
   bool const elastic =
       given(arguments, strength_key) && word(arguments, strength_key, {"plastic", "elastic"}) == "elastic";
-  if (elastic || out.mu == 0) return out;
+  if (elastic || out.mu == 0) {
+    for (char const* key : {"yield", "hardening"}) refuse(key, elastic ? "the solid is elastic" : "mu is 0");
+    return out;
+  }
   out.yield = positive("yield", linear ? 340e6 : required);
   out.hardening = above(arguments, "hardening" + suffix, value("hardening", linear ? 240e6 : 0), 0, true);
   return out;

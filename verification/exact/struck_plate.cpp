@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "verification/exact/numerics.hpp"
+#include "verification/exact/oblique_shock.hpp"
 
 namespace g27 {
 
@@ -41,11 +42,12 @@ double meet(F const& pressure, double outgoing, double Z, double low, double hig
 
 StruckPlate::Front StruckPlate::behind_shock(Gas const& gas, double mach) {
   if (!(mach >= 1)) throw NumericsError("struck plate: the shock's Mach number is below 1");
-  double const g = gas.gamma, c0 = std::sqrt(g * gas.p / gas.rho), m2 = mach * mach;
-  return {.rho = gas.rho * (g + 1) * m2 / ((g - 1) * m2 + 2),
-          .u = 2 * c0 / (g + 1) * (mach - 1 / mach),
-          .p = gas.p * (1 + 2 * g / (g + 1) * (m2 - 1)),
-          .shock_speed = mach * c0};
+  double const speed = mach * std::sqrt(gas.gamma * gas.p / gas.rho);
+  NormalShock const shock = normal_shock(gas.gamma, mach);
+  return {.rho = gas.rho * shock.density_ratio,
+          .u = speed * (1 - 1 / shock.density_ratio),
+          .p = gas.p * shock.pressure_ratio,
+          .shock_speed = speed};
 }
 
 StruckPlate::StruckPlate(Front const& in_front, Gas const& back, Plate const& plate, double t_end) : p0_(back.p) {
