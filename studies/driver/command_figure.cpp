@@ -24,8 +24,19 @@ namespace {
 namespace fs = std::filesystem;
 using Strings = std::vector<std::string>;
 
+bool is_hdf5(fs::path const& file) {
+  std::string const signature = "\x89HDF\r\n\x1a\n";
+  std::string start(signature.size(), ' ');
+  std::ifstream(file, std::ios::binary).read(start.data(), static_cast<std::streamsize>(start.size()));
+  return start == signature;
+}
+
 void add_hdf5_files(fs::path const& from, Strings& files) {
   if (fs::is_regular_file(from)) {
+    if (!is_hdf5(from)) {
+      throw InputError("g27 figure", "--from", fmt::format("{} is no HDF5 file", from.string()),
+                       "name a folder of results, or files of it that end with .h5");
+    }
     files.push_back(from.string());
   } else if (fs::is_directory(from)) {
     Strings found;
@@ -194,7 +205,12 @@ int command_figure(FigureArguments const& arguments) {
                      "give their results by --from");
   }
   if (!arguments.from.empty()) {
-    draw_into(arguments, arguments.name, hdf5_files(arguments.from));
+    auto const figure = drawn(arguments, arguments.name, hdf5_files(arguments.from));
+    if (!figure) {
+      throw InputError("g27 figure", "--from", fmt::format("{} was not drawn from these results", arguments.name),
+                       "name results of the study or scene that it is of");
+    }
+    fmt::print("{}\n", *figure);
     return 0;
   }
   if (needs.empty()) {

@@ -134,7 +134,8 @@ bool run_script(std::filesystem::path const& script, std::vector<std::string> co
     return false;
   }
   // -B: no __pycache__ in the source tree
-  std::vector<std::string> command{python, "-B", script.string()};
+  auto const runner = std::filesystem::path(build_facts().source_dir) / "studies/figures/_run.py";
+  std::vector<std::string> command{python, "-B", runner.string(), script.string()};
   command.insert(command.end(), arguments.begin(), arguments.end());
   // drawn in a folder aside, with all of its pages, and moved: an interrupted script leaves the old figure or none
   namespace fs = std::filesystem;
