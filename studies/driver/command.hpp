@@ -35,7 +35,7 @@ struct CaseArguments {
   bool json = false;
 };
 int command_case(CaseArguments const& arguments);
-/// Title and parameters of the case named; empty where there is none.
+/// Title and parameters of the case named, if one is; throws InputError where there is none of that name.
 std::string help_of(CaseArguments const& arguments);
 
 struct StudyArguments {
@@ -50,7 +50,7 @@ struct ExactArguments {
   bool json = false;
 };
 int command_exact(ExactArguments const& arguments);
-/// What it solves, its source and its keys; empty where there is none of that name.
+/// What it solves, its source and its keys, if one is named; throws InputError where there is none of that name.
 std::string help_of(ExactArguments const& arguments);
 
 struct FigureArguments {

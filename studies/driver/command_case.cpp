@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "studies/driver/command.hpp"
@@ -12,18 +11,17 @@
 #include "studies/driver/progress.hpp"
 #include "studies/driver/scene.hpp"
 #include "studies/driver/table.hpp"
+#include "studies/driver/units.hpp"
 #include "verification/cases/case.hpp"
 
 namespace g27 {
 
 std::string help_of(CaseArguments const& arguments) {
-  std::string text;
-  for (Case const& c : all_cases()) {
-    if (c.name != arguments.name) continue;
-    text = fmt::format("{}: {}\n", c.name, c.title);
-    for (CaseParameter const& p : c.parameters) {
-      text += fmt::format("  --set {}={:g}  [{}] {}\n", p.name, p.value, p.unit, p.what);
-    }
+  if (arguments.name.empty()) return "";
+  Case const c = find_by_name(all_cases(), arguments.name, "g27 case");
+  std::string text = fmt::format("{}: {}\n", c.name, c.title);
+  for (CaseParameter const& p : c.parameters) {
+    text += fmt::format("  --set {}={:g}  [{}] {}\n", p.name, p.value, p.unit, p.what);
   }
   return text;
 }
@@ -55,12 +53,14 @@ std::map<std::string, double> values_of(CaseArguments const& a, Case const& chos
     }
     CaseParameter const& parameter = chosen.parameters[index_in(names, pair.substr(0, equals), "--set")];
     std::string const text = pair.substr(equals + 1);
-    char* end = nullptr;
-    double const value = std::strtod(text.c_str(), &end);
-    if (text.empty() || *end != 0 || !std::isfinite(value)) {
-      throw InputError("g27 case", "--set " + parameter.name, fmt::format("'{}' is not a number", text),
-                       "give a number");
+    std::string const unit = parameter.unit == "1" ? "" : parameter.unit;
+    auto const number = number_in(text, parameter.unit);
+    if (!number || !std::isfinite(*number)) {
+      throw InputError("g27 case", "--set " + parameter.name,
+                       fmt::format("'{}' is not a number{}", text, unit.empty() ? "" : " of " + unit),
+                       unit.empty() ? "give a number" : "give a number, in " + unit + " unless it has a unit");
     }
+    double const value = *number;
     if (!(value >= parameter.least && value <= parameter.most)) {
       throw InputError("g27 case", "--set " + parameter.name, fmt::format("{} is out of range", value),
                        fmt::format("choose it from {} to {}", parameter.least, parameter.most));

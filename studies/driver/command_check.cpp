@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -80,11 +81,14 @@ int command_check(CheckArguments const& arguments) {
     seconds += e.seconds;
     bytes += e.bytes;
   }
+  auto const judged =
+      std::count_if(scene.expect.begin(), scene.expect.end(), [](Expectation const& e) { return e.judged; });
   if (arguments.json) {
     nlohmann::ordered_json json{{"scene", scene.name},
                                 {"title", scene.title},
                                 {"runs", nlohmann::ordered_json::array()},
                                 {"expectations", scene.expect.size()},
+                                {"judged", judged},
                                 {"seconds", seconds},
                                 {"bytes", bytes},
                                 {"bare_numbers", scene.bare_numbers},
@@ -131,7 +135,7 @@ int command_check(CheckArguments const& arguments) {
                           run.end * 1e6, e.steps, e.seconds, e.bytes / 1e6, e.memory / 1e6});
   }
   fmt::print("{}\nabout {} on one thread, {:.1f} MB; {} figures to judge\n", to_text(table), duration_text(seconds),
-             bytes / 1e6, scene.expect.size());
+             bytes / 1e6, judged);
   for (std::size_t i = 0; i < estimates.size(); ++i) {
     if (!estimates[i].bodies.empty()) fmt::print("{}\n", to_text(bodies_table(estimates[i])));
   }

@@ -4,23 +4,36 @@
 
 #include "studies/driver/command.hpp"
 #include "studies/driver/lookup.hpp"
+#include "studies/driver/units.hpp"
 #include "verification/exact/oracle.hpp"
 
 namespace g27 {
 
-std::string help_of(ExactArguments const& arguments) {
-  std::string text;
-  for (Oracle const& oracle : all_oracles()) {
-    if (oracle.name != arguments.name) continue;
-    text = fmt::format("{}: {}\n{}\n", oracle.name, oracle.summary, oracle.source);
-    for (OracleParameter const& p : oracle.parameters) {
-      text += fmt::format("  {}={}  [{}] {}\n", p.name, p.fallback.empty() ? "(required)" : p.fallback, p.unit, p.what);
-    }
+namespace {
+
+std::string help_of(Oracle const& oracle) {
+  std::string text = fmt::format("{}: {}\n{}\n", oracle.name, oracle.summary, oracle.source);
+  for (OracleParameter const& p : oracle.parameters) {
+    text += fmt::format("  {}={}  [{}] {}\n", p.name, p.fallback.empty() ? "(required)" : p.fallback, p.unit, p.what);
   }
   return text;
 }
 
-namespace {
+/// A value with a unit, in the parameter's own.
+std::string in_own_unit(Oracle const& oracle, std::string const& key, std::string const& value) {
+  for (OracleParameter const& p : oracle.parameters) {
+    if (p.name != key) continue;
+    auto const quantity = parse_quantity(value);
+    if (!quantity || !quantity->has_unit) return value;
+    auto const number = number_in(value, p.unit);
+    if (!number) {
+      throw InputError("g27 exact", key, fmt::format("'{}' has another dimension than {}", value, p.unit),
+                       fmt::format("give a number of {}", p.unit));
+    }
+    return fmt::format("{:.17g}", *number);
+  }
+  return value;
+}
 
 void print_text(OracleRecord const& record) {
   for (auto const& [name, value] : record) {
@@ -40,6 +53,10 @@ void print_text(OracleRecord const& record) {
 
 }  // namespace
 
+std::string help_of(ExactArguments const& arguments) {
+  return arguments.name.empty() ? "" : help_of(find_by_name(all_oracles(), arguments.name, "g27 exact"));
+}
+
 int command_exact(ExactArguments const& arguments) {
   Oracle const oracle = find_by_name(all_oracles(), arguments.name, "g27 exact");
   OracleArguments values;
@@ -48,8 +65,9 @@ int command_exact(ExactArguments const& arguments) {
     if (equals == std::string::npos || equals == 0) {
       throw InputError("g27 exact", word, "is not key=value", "write for instance gamma=1.4");
     }
-    if (!values.emplace(word.substr(0, equals), word.substr(equals + 1)).second) {
-      throw InputError("g27 exact", word.substr(0, equals), "is given twice", "give each key once");
+    std::string const key = word.substr(0, equals);
+    if (!values.emplace(key, in_own_unit(oracle, key, word.substr(equals + 1))).second) {
+      throw InputError("g27 exact", key, "is given twice", "give each key once");
     }
   }
   try {
@@ -64,7 +82,7 @@ int command_exact(ExactArguments const& arguments) {
       print_text(record);
     }
   } catch (OracleError const&) {
-    fmt::print(stderr, "{}", help_of(arguments));
+    fmt::print(stderr, "{}", help_of(oracle));
     throw;
   }
   return 0;

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
@@ -175,10 +177,30 @@ void add_test(CLI::App& app) {
       [] { throw InputError("g27", "test", "is a command of the launcher", "run ./g27 test in the source folder"); });
 }
 
+constexpr char interrupted_json[] = "{\"error\": {\"problem\": \"interrupted\"}}\n";
+
+/// Where no command listens to signals itself. Only what a handler may call.
+void say_interrupted(int signal) {
+  if (write(STDOUT_FILENO, interrupted_json, sizeof(interrupted_json) - 1) < 0) _exit(1);
+  _exit(128 + signal);
+}
+
+void answer_signals() {
+  for (int const signal : {SIGINT, SIGTERM}) {
+    struct sigaction action {};
+    action.sa_handler = say_interrupted;
+    struct sigaction before {};
+    sigaction(signal, nullptr, &before);
+    if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);
+  }
+}
+
 /// Says on stderr what went wrong, and with --json on stdout as well: whoever reads one object gets one.
 class Reporter {
  public:
-  Reporter(int argc, char** argv) : json_(std::find(argv, argv + argc, std::string_view("--json")) != argv + argc) {}
+  Reporter(int argc, char** argv) : json_(std::find(argv, argv + argc, std::string_view("--json")) != argv + argc) {
+    if (json_) answer_signals();
+  }
 
   [[nodiscard]] int bad(InputError const& error) const {
     fmt::print(stderr, "{}: {}: {}\n  -> {}\n", error.file, error.key, error.problem, error.remedy);
@@ -221,14 +243,16 @@ int run_program(int argc, char** argv) {
     return bad_input;
   }
   try {
-    app.parse(argc, argv);
+    try {
+      app.parse(argc, argv);
+    } catch (CLI::Success const& done) {  // --help, --version; help of a name that is not there is a slip
+      return app.exit(done);
+    }
     if (status > 128) status = reporter.failed("interrupted", status);
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
       throw OutputError("cannot write to stdout");
     }
     return status;
-  } catch (CLI::Success const& done) {  // --help, --version
-    return app.exit(done);
   } catch (CLI::ParseError const& error) {
     app.exit(error);
     if (argc > 1) {

@@ -81,8 +81,8 @@ int command_run(RunArguments const& arguments) {
   Scene const scene = read_scene(file, without_what_is_beyond(file, arguments.set));
   std::filesystem::path const out = arguments.out.empty() ? "results/" + scene.name : arguments.out;
   if (arguments.resume && !has_checkpoint(scene, out)) {
-    throw InputError("g27 run", "--resume", fmt::format("{} holds no run of this scene", out.string()),
-                     "leave --resume out, or name the folder with --out");
+    throw InputError("g27 run", "--resume", fmt::format("there is no checkpoint of this scene in {}", out.string()),
+                     "leave --resume out to start anew, or name the folder of the run by --out");
   }
   require_memory(scene);
   for (std::string const& remark : remarks_on(scene)) fmt::print(stderr, "{}\n", remark);

@@ -6,7 +6,7 @@
 
 namespace g27 {
 
-/// A signal that stopped the program while a script ran; the program ends with 128 + it.
+/// A signal that stopped a script, or a run within a study; the program ends with 128 + it.
 struct Interrupted {
   int signal;
 };

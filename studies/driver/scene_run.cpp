@@ -17,6 +17,7 @@
 #include "studies/driver/machine_threads.hpp"
 #include "studies/driver/output.hpp"
 #include "studies/driver/progress.hpp"
+#include "studies/driver/python.hpp"
 #include "studies/driver/simulate.hpp"
 
 namespace g27 {
@@ -188,7 +189,7 @@ SceneResult run_scene(Scene const& scene, SceneRunOptions const& options) {
 SceneResult run_whole(Scene const& scene, std::filesystem::path const& out) {
   SceneResult result = run_scene(scene, {.out = out, .threads = threads_or_all(0)});
   for (auto const& [run, why] : result.failures) throw std::runtime_error(fmt::format("{}: {}", run, why));
-  if (result.interrupted != 0) throw std::runtime_error("interrupted");
+  if (result.interrupted != 0) throw Interrupted{result.interrupted};
   return result;
 }
 

@@ -188,6 +188,13 @@ std::optional<Quantity> parse_quantity(std::string_view text) {
   return Quantity{value * unit->value, unit->exponents, true};
 }
 
+std::optional<double> number_in(std::string_view text, std::string_view unit) {
+  auto const quantity = parse_quantity(text), own = parse_unit(unit);
+  if (!quantity || !quantity->has_unit) return quantity ? std::optional(quantity->value) : std::nullopt;
+  if (!own || own->exponents != quantity->exponents) return std::nullopt;
+  return quantity->value / own->value;
+}
+
 std::string si_unit(Exponents const& exponents) {
   constexpr std::array<std::string_view, 5> symbols{"kg", "m", "s", "K", "rad"};
   std::string out;

@@ -46,6 +46,10 @@ std::optional<Quantity> parse_quantity(std::string_view text);
 /// The unit alone: "g/cm3" is {1000, density}.
 std::optional<Quantity> parse_unit(std::string_view text);
 
+/// A quantity as a number of `unit`s, "3 cm" of "m" is 0.03; a bare number as it stands. nullopt when it is neither, or
+/// of another dimension.
+std::optional<double> number_in(std::string_view text, std::string_view unit);
+
 /// Exponents in SI symbols: "kg m-1 s-2".
 std::string si_unit(Exponents const& exponents);
 

@@ -43,7 +43,11 @@ for wrong in (["rnu"], ["run", "no-such-scene"], ["case", "no-such-case"], ["stu
               ["list", "no-such-kind"], ["run", "sod", "--set", "domain.cels=3"], ["run", "--threads", "0"],
               ["case", "sod", "--cure", "on"], ["case", "noh-2d", "--feet", "conservative"],
               ["case", "wedge-2d", "--set", "angle_deg=60"], ["case", "wedge-2d", "--set", "angel=10"],
-              ["case", "forward-step", "--cells", "8"], ["case", "vortex-2d", "--mesh", "random"],
+              ["case", "forward-step", "--cells", "8"], ["case", "sedov-2d", "--set", "source_cells=1.5"],
+              ["case", "sedov-2d", "--set", "source_cells=31"], ["case", "be-shell", "--set", "u0=10"],
+              ["case", "solid-step-1d", "--set", "normal=0", "--set", "shear=0"],
+              ["case", "be-shell", "--set", "u0=600 kg"], ["exact", "sedov", "t=1 kg"],
+              ["case", "no-such-case", "--help"], ["exact", "no-such-solution", "--help"], ["case", "vortex-2d", "--mesh", "random"],
               ["check"], ["run", "sod", "--no-such-option"], ["exact", "riemann", "nonsense"]):
     done = run(*wrong, status=2)
     if done.stdout:
@@ -64,6 +68,9 @@ if set(everything) != {"scenes", "cases", "studies", "exact", "eos", "schemes", 
     problems.append(f"g27 list --json has the keys {sorted(everything)}")
 for scene in everything.get("scenes", []):
     run_json("check", scene["name"])
+
+if run_json("exact", "sedov", "t=2 ms").get("shock") != run_json("exact", "sedov", "t=0.002").get("shock"):
+    problems.append("g27 exact sedov t='2 ms' is not t=0.002")
 
 # A line and a grid report the same things.
 line = run_json("case", "sod", "--cells", "40")
@@ -180,6 +187,26 @@ with tempfile.TemporaryDirectory() as folder:
             problems.append(f"a damaged checkpoint gives: {done.stderr}")
         checkpoint.write_bytes(sound)
         run(*shlex.split(command.group(1)), "--no-figures")
+
+# A case that a signal stops: an object all the same.
+running = subprocess.Popen([program, "case", "sedov-3d", "--cells", "200", "--json"], stdout=subprocess.PIPE,
+                           stderr=subprocess.DEVNULL, text=True)
+time.sleep(0.5)
+running.send_signal(signal.SIGTERM)
+said = running.communicate()[0]
+if running.returncode != 143 or json.loads(said or "{}").get("error", {}).get("problem") != "interrupted":
+    problems.append(f"a case that SIGTERM stops ends with {running.returncode} and prints {said!r}")
+
+# Figures of results that are none, or of something else: one reason, no traceback.
+with tempfile.TemporaryDirectory() as folder:
+    run("run", "sod", "--out", folder, "--no-figures")
+    text = pathlib.Path(folder) / "text.h5"
+    text.write_text("no HDF5")
+    for name in ("detonation", "scene-bodies", "fig18"):
+        for source, reason in ((text, "no HDF5 file"), (folder, "was not drawn from")):
+            said = run("figure", name, "--from", source, "--out", folder, status=2).stderr
+            if reason not in said or "Traceback" in said:
+                problems.append(f"figure {name} --from {source} says {said}")
 
 print("\n".join(problems) or "command line in order")
 sys.exit(bool(problems))

@@ -3,6 +3,8 @@
 
 #include "studies/driver/nearest_key.hpp"
 #include "tests/catch.hpp"
+#include "verification/cases/case.hpp"
+#include "verification/exact/oracle.hpp"
 
 using g27::parse_quantity;
 
@@ -72,4 +74,26 @@ TEST_CASE("edit distance is a metric that counts a swap once", "[units]") {
   }
   CHECK(g27::nearest_key("velocty", {"density", "velocity"}) == "velocity");
   CHECK(g27::nearest_key("zzz", {"density", "velocity"}).empty());
+}
+
+TEST_CASE("cases and exact solutions take values in any unit of their own dimension", "[units]") {
+  CHECK(g27::number_in("3 cm", "m") == Approx(0.03).epsilon(1e-15));
+  CHECK(g27::number_in("1.65 g/cm3", "kg/m^3") == Approx(1650).epsilon(1e-15));
+  CHECK(g27::number_in("30 deg", "deg") == Approx(30).epsilon(1e-15));
+  CHECK(g27::number_in("7", "deg") == 7);
+  CHECK(!g27::number_in("3 cm", "s"));
+  CHECK(!g27::number_in("3 cm", "1"));
+  CHECK(!g27::number_in("three", "m"));
+  for (auto const& c : g27::all_cases()) {
+    for (auto const& p : c.parameters) {
+      INFO(c.name << " " << p.name << " " << p.unit);
+      CHECK(g27::parse_unit(p.unit));
+    }
+  }
+  for (auto const& o : g27::all_oracles()) {
+    for (auto const& p : o.parameters) {
+      INFO(o.name << " " << p.name << " " << p.unit);
+      CHECK((p.unit.empty() || g27::parse_unit(p.unit)));
+    }
+  }
 }
