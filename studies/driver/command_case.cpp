@@ -13,6 +13,7 @@
 #include "studies/driver/table.hpp"
 #include "studies/driver/units.hpp"
 #include "verification/cases/case.hpp"
+#include "verification/exact/numerics.hpp"
 
 namespace g27 {
 
@@ -212,7 +213,7 @@ void print_text(Case const& chosen, CaseResult const& r, std::map<std::string, d
   fmt::print("{}", to_text(table));
 }
 
-/// Options that a case cannot make sense of are the user's mistake.
+/// Options that a case cannot make sense of, or for which it has no exact solution, are the user's mistake.
 CaseResult run(Case const& chosen, CaseOptions options) {
   constexpr auto patience = std::chrono::seconds(2);
   Progress progress({1.0});
@@ -223,6 +224,8 @@ CaseResult run(Case const& chosen, CaseOptions options) {
   try {
     return chosen.run(options);
   } catch (std::invalid_argument const& error) {
+    throw InputError("g27 case", chosen.name, error.what(), "choose other options");
+  } catch (NumericsError const& error) {
     throw InputError("g27 case", chosen.name, error.what(), "choose other options");
   }
 }

@@ -4,6 +4,7 @@
 usage: command_line.py SOURCE_DIR BUILD_DIR
 """
 import json
+import os
 import pathlib
 import re
 import shlex
@@ -207,6 +208,16 @@ with tempfile.TemporaryDirectory() as folder:
             said = run("figure", name, "--from", source, "--out", folder, status=2).stderr
             if reason not in said or "Traceback" in said:
                 problems.append(f"figure {name} --from {source} says {said}")
+
+# The launcher answers at once where nothing needs to be built.
+launcher = pathlib.Path(sys.argv[1]) / "g27"
+said = subprocess.run([launcher, "test", "--help"], capture_output=True, text=True)
+if said.returncode != 0 or "usage: ./g27 test" not in said.stdout or said.stderr:
+    problems.append(f"./g27 test --help says {said}")
+presets = json.loads((launcher.parent / "CMakePresets.json").read_text())["buildPresets"]
+said = subprocess.run([launcher, "list"], capture_output=True, text=True, env=os.environ | {"G27_PRESET": "no-such"})
+if said.returncode != 2 or not all(preset["name"] in said.stderr for preset in presets):
+    problems.append(f"G27_PRESET=no-such gives {said}")
 
 print("\n".join(problems) or "command line in order")
 sys.exit(bool(problems))
