@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 #include "fsi/surface/adjacency.hpp"
 #include "fsi/surface/cgal_mesh.hpp"
@@ -62,7 +63,9 @@ class Remesher {
         mesh_(to_cgal<Mesh>(surface)) {
     parents_ = mesh_.add_property_map<Face, std::vector<int>>("f:parents").first;
     was_ = mesh_.add_property_map<Face, Corners>("f:was").first;
-    for (Face const f : mesh_.faces()) parents_[f] = {static_cast<int>(f)}, was_[f] = corners(f);
+    for (Face const f : mesh_.faces()) {
+      parents_[f] = {static_cast<int>(f)}, was_[f] = surface.corners(static_cast<std::size_t>(f));
+    }
   }
 
   LocalRemesh run() {
@@ -141,19 +144,17 @@ class Remesher {
     return axis_of(v, line) < 3 ? Place::border : Place::corner;
   }
 
-  /// Edges for which f gives a number below `below`, by that number.
+  /// Edges for which f gives a number below 0, by that number; of equals, sides of one triangle, the longest first.
   template <class F>
   std::vector<Edge> edges_by(F const& f) const {
-    std::vector<std::pair<double, Edge>> found;
+    std::vector<std::tuple<double, double, Edge>> found;
     for (Edge const e : mesh_.edges()) {
       double const x = f(e);
-      if (x < 0) found.emplace_back(x, e);
+      if (x < 0) found.emplace_back(x, -length_of(e), e);
     }
-    std::sort(found.begin(), found.end(), [](auto const& a, auto const& b) {
-      return a.first < b.first || (a.first == b.first && a.second < b.second);
-    });
+    std::sort(found.begin(), found.end());
     std::vector<Edge> out;
-    for (auto const& [x, e] : found) out.push_back(e);
+    for (auto const& [x, longest, e] : found) out.push_back(e);
     return out;
   }
 
@@ -321,37 +322,53 @@ class Remesher {
     }
   }
 
-  /// Vertices of flat triangles go towards the middle of their neighbours, along the side or the line that they are on.
+  /// Of the triangles around a vertex.
+  [[nodiscard]] double worst_around(Vertex v) const {
+    double worst = 1;
+    for (Half const h : mesh_.halfedges_around_target(mesh_.halfedge(v))) {
+      worst = std::min(worst, height_of(corners(mesh_.face(h))));
+    }
+    return worst;
+  }
+  /// From a vertex towards the middle of its neighbours, along the side or the line that it is on; nothing at corners.
+  [[nodiscard]] Vec3 way_to_middle(Vertex v) const {
+    std::array<Vertex, 2> line{};
+    Place const where = place(v, line);
+    if (where == Place::corner) return {0, 0, 0};
+    Vec3 middle{0, 0, 0}, area{0, 0, 0};
+    int n = 0;
+    for (Half const h : mesh_.halfedges_around_target(mesh_.halfedge(v))) {
+      middle = middle + at(mesh_.source(h)), area = area + area_of(corners(mesh_.face(h))), ++n;
+    }
+    Vec3 shift = step * ((1.0 / n) * middle - at(v));
+    if (where == Place::line) {
+      Vec3 const tangent = at(line[1]) - at(line[0]);
+      shift = (dot(shift, tangent) / dot(tangent, tangent)) * tangent;
+    }
+    // the volume's derivative by the place is the area vector over three
+    return shift - (dot(shift, area) / dot(area, area)) * area;
+  }
+
+  /// Vertices of flat triangles, the flattest first; of one triangle the one that has the longest way.
   void move() {
+    std::vector<std::tuple<double, double, Vertex>> flat;
     for (Vertex const v : mesh_.vertices()) {
       if (mesh_.is_border(v)) continue;
-      double worst = 1;
-      for (Half const h : mesh_.halfedges_around_target(mesh_.halfedge(v))) {
-        worst = std::min(worst, height_of(corners(mesh_.face(h))));
-      }
+      double const worst = worst_around(v);
+      if (worst <= o_.height * 1.5) flat.emplace_back(worst, -length(way_to_middle(v)), v);
+    }
+    std::sort(flat.begin(), flat.end());
+    for (auto const& [at_first, way, v] : flat) {
+      double const worst = worst_around(v);
       if (worst > o_.height * 1.5) continue;
-      std::array<Vertex, 2> line{};
-      Place const where = place(v, line);
-      if (where == Place::corner) continue;
-      Vec3 middle{0, 0, 0}, area{0, 0, 0};
-      int n = 0;
-      for (Half const h : mesh_.halfedges_around_target(mesh_.halfedge(v))) {
-        middle = middle + at(mesh_.source(h)), area = area + area_of(corners(mesh_.face(h))), ++n;
-      }
-      Vec3 shift = step * ((1.0 / n) * middle - at(v));
-      if (where == Place::line) {
-        Vec3 const tangent = at(line[1]) - at(line[0]);
-        shift = (dot(shift, tangent) / dot(tangent, tangent)) * tangent;
-      }
-      // the volume's derivative by the place is the area vector over three
-      shift = shift - (dot(shift, area) / dot(area, area)) * area;
+      Vec3 const x = at(v) + way_to_middle(v);
       std::vector<Changed> around;
       double after = 1;
       for (Half const h : mesh_.halfedges_around_target(mesh_.halfedge(v))) {
-        around.push_back(changed(h, at(v) + shift)), after = std::min(after, height_of(around.back().after));
+        around.push_back(changed(h, x)), after = std::min(after, height_of(around.back().after));
       }
       if (!(after > worst) || !sound(around, worst)) continue;
-      put(v, at(v) + shift), ++counts_.moves;
+      put(v, x), ++counts_.moves;
     }
   }
 

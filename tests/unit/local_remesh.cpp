@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "fsi/surface/clip.hpp"
@@ -95,6 +96,45 @@ TEST_CASE("parents are the triangles whose place a new one has", "[surface]") {
   LocalRemesh const again = local_remesh(s, {.shortest = 0.08, .longest = 0.34});
   CHECK(again.surface.vertices == r.surface.vertices);
   CHECK(again.surface.triangles == r.surface.triangles);
+}
+
+TEST_CASE("mirror images are mended alike, and what is left alone keeps its first sides", "[surface]") {
+  // the frames of model problems start at the first sides
+  TriangleSurface const half = clip_surface(make_box({1, 1, 1}, 0.25), 0, 0, true, 1e-9);
+  TriangleSurface s = unfolded(half, 0, 0);
+  for (Vec3& x : s.vertices) {
+    // triangles far from the plane are stretched, and no two sides are equally long
+    double const far = std::fabs(x[0]), y = x[1], z = x[2];
+    x[1] += 0.1 * far * (z + 0.3 * y * y), x[2] += 0.07 * far * (y - 0.4 * y * z);
+    if (far > 0.3) x[0] *= 2 + 0.3 * y + 0.17 * z + 0.2 * y * z;
+  }
+  LocalRemesh const r = local_remesh(s, {.shortest = 0.08, .longest = 0.45});
+  CHECK(r.counts.splits > 10);
+  using Corners = std::array<Vec3, 3>;
+  auto const rounded = [](Corners c) {  // vertices that moved have sums in another order
+    for (Vec3& x : c) {
+      for (double& q : x) q = std::round(q * 1e9) + 0.0;
+    }
+    return c;
+  };
+  std::map<Corners, int> corners;
+  for (std::size_t t = 0; t < r.surface.size(); ++t) ++corners[rounded(r.surface.corners(t))];
+  auto const mirrored = [](Vec3 x) { return x[0] = 0.0 - x[0], x; };
+  int images = 0, same = 0;
+  for (auto const& [c, count] : corners) {
+    CHECK(count == 1);
+    images += static_cast<int>(corners.count({mirrored(c[1]), mirrored(c[0]), mirrored(c[2])}));
+  }
+  for (std::size_t t = 0; t < s.size(); ++t) same += static_cast<int>(corners.count(rounded(s.corners(t))));
+  CHECK(images == static_cast<int>(r.surface.size()));
+  CHECK(same > 30);
+  // all that there still is, in whatever order
+  int kept = 0;
+  for (std::size_t t = 0; t < s.size(); ++t) {
+    auto const [a, b, c] = rounded(s.corners(t));
+    kept += static_cast<int>(corners.count({a, b, c}) + corners.count({b, c, a}) + corners.count({c, a, b}));
+  }
+  CHECK(kept == same);
 }
 
 TEST_CASE("the border of an open surface is parted and joined in its plane", "[surface]") {
