@@ -86,17 +86,27 @@ SolidGridSetup grid_setup(BodySetup const& s, Mirrors const& cut, SolidSchemeOpt
   if (setup.options.tile[0] <= 0) setup.options.tile = body_tile;
   for (std::size_t a = 0; a < 3; ++a) {
     setup.upper[a] = box.lower[a] + box.grid[a] * box.h;
-    if (cut.low[a]) setup.sides[2 * a].kind = SolidBoundary::Kind::symmetry;
-    if (cut.high[a]) setup.sides[2 * a + 1].kind = SolidBoundary::Kind::symmetry;
+    auto const kind = [&](int side) {
+      return cut.clamps.at(a, side) ? SolidBoundary::Kind::fixed : SolidBoundary::Kind::symmetry;
+    };
+    if (cut.low[a]) setup.sides[2 * a].kind = kind(-1);
+    if (cut.high[a]) setup.sides[2 * a + 1].kind = kind(1);
   }
   return setup;
+}
+
+Mirrors planes_of(BodySetup const& s, GasGrid const& gas) {
+  if (s.rigid && s.clamps.any()) throw SurfaceError("a rigid body is clamped", "give it a motion of its own instead");
+  Mirrors planes = walls_of(gas.setup());
+  planes.clamps = s.clamps;
+  return planes;
 }
 
 }  // namespace
 
 Body::Body(BodySetup s, GasGrid const& gas_grid, SolidSchemeOptions const& options, Literal const& readings)
     : surface(s.surface),
-      cut(find_cut(surface, walls_of(gas_grid.setup()), 1e-3 * s.cell)),
+      cut(find_cut(surface, planes_of(s, gas_grid), 1e-3 * s.cell)),
       setup(bounded(std::move(s), cut.mirrors)),
       literal(readings),
       triangles(surface.size()),
@@ -152,6 +162,7 @@ void Body::move_vertices(double dt, double growth) {
     if (double const size = length(normal); size > 0) way[v] = way[v] + (growth / size) * normal;
   }
   for (std::size_t v = 0; v < way.size(); ++v) {
+    if (cut.stays(v)) continue;
     for (std::size_t a = 0; a < 3; ++a) {
       if (!cut.on_planes[v][a]) surface.vertices[v][a] += way[v][a];
     }

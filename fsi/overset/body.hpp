@@ -23,6 +23,7 @@ struct BodySetup {
   Vec3 lower{0, 0, 0}, upper{1, 1, 1};             ///< box that the body stays in [m]
   std::function<SolidPoint(Vec3 const&)> initial;  ///< state at the start
   std::optional<RigidSetup> rigid{};               ///< instead of material and initial state
+  Clamps clamps{};                                 ///< sides of the domain that hold it, among walls that cut it
 };
 
 /// Sides of the domain that are walls all over: they may cut bodies.
@@ -65,7 +66,8 @@ struct Region {
       : kinds(box, inside), states(kinds.count()), donors(kinds, states, law, literal) {}
   /// After states of cells have changed: those of their images, and the donors.
   void update(int threads) {
-    for (ImageCell const& i : kinds.images()) states[i.cell] = reflected(states[i.of], i.image);
+    for (ImageCell const& i : kinds.images())
+      states[i.cell] = reflected(states[i.of], i.image, kinds.box().mirrors.clamps);
     donors.update(threads);
   }
   Region(Region const&) = delete;

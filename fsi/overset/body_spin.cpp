@@ -13,7 +13,9 @@ Vec3 spin_of(Body const& body) {
   auto const each = [&](auto const& visit) {
     for (TriangleState const& t : body.triangles) {
       visit(t.area, t.centre, t.velocity);
-      mirrors.for_each([&](Image const& at) { visit(t.area, mirrors.image(t.centre, at), reflected(t.velocity, at)); });
+      mirrors.for_each([&](Image const& at) {
+        visit(t.area, mirrors.image(t.centre, at), reflected(t.velocity, at, mirrors.clamps));
+      });
     }
   };
   each(

@@ -29,7 +29,7 @@ void add_impulse(Body const& body, double dt, BodyMomentum& held) {
 }
 
 void close_content(Body& body, BodyMomentum& held) {
-  if (body.rigid) return;
+  if (body.rigid || body.cut.mirrors.clamps.any()) return;  // a clamp gives a momentum that nothing else tells
   BodyIntegrals const now = integrals(body);
   double area = 0;
   for (TriangleState const& t : body.triangles) area += t.area;

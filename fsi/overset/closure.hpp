@@ -22,7 +22,7 @@ void add_impulse(Body const& body, double dt, BodyMomentum& held);
 
 /// The velocity field du + omega x (x - centre) that brings the body to what it holds; added to its cells and cores.
 /// Of a body that planes of symmetry cut, the part of that motion which the planes allow. And held.growth, for the
-/// mass.
+/// mass. Clamped bodies are left as they are.
 void close_content(Body& body, BodyMomentum& held);
 
 }  // namespace g27

@@ -24,7 +24,8 @@ void add(std::vector<CloudPoint<Fields>>& points, WindowBox const& box, Vec3 con
   if (within(box, x)) points.push_back({x, q, number, foot});
   box.mirrors.for_each([&](Image const& image) {
     Vec3 const y = box.mirrors.image(x, image);
-    if (within(box, y)) points.push_back({y, reflected(q, image), number, box.mirrors.image(foot, image), image});
+    if (within(box, y))
+      points.push_back({y, reflected(q, image, box.mirrors.clamps), number, box.mirrors.image(foot, image), image});
   });
 }
 

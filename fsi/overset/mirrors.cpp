@@ -17,6 +17,20 @@ void reflect_velocity(Fields& q, Image const& at) noexcept {
   }
 }
 
+/// What is left of an image where clamps do not mirror, and whether they turn the velocity.
+struct Parted {
+  Image mirrored;
+  bool turned;
+};
+
+Parted parted(Image at, Clamps const& clamps) noexcept {
+  bool turned = false;
+  for (std::size_t a = 0; a < 3; ++a) {
+    if (clamps.at(a, at[a])) at[a] = 0, turned = !turned;
+  }
+  return {at, turned};
+}
+
 }  // namespace
 
 GasFields reflected(GasFields q, Image const& at) noexcept {
@@ -37,9 +51,22 @@ SolidFields reflected(SolidFields q, Image const& at) noexcept {
   return q;
 }
 
+Vec3 reflected(Vec3 v, Image const& at, Clamps const& clamps) noexcept {
+  auto const [mirrored, turned] = parted(at, clamps);
+  return (turned ? -1.0 : 1.0) * reflected(v, mirrored);
+}
+
+SolidFields reflected(SolidFields q, Image const& at, Clamps const& clamps) noexcept {
+  auto const [mirrored, turned] = parted(at, clamps);
+  q = reflected(q, mirrored);
+  for (std::size_t a = 0; turned && a < 3; ++a) q[solid_field_of::u + a] = -q[solid_field_of::u + a];
+  return q;
+}
+
 Cut find_cut(TriangleSurface& surface, Mirrors const& planes, double tolerance) {
-  Cut cut{.mirrors = {.lower = planes.lower, .upper = planes.upper}, .on_planes = {}};
+  Cut cut{.mirrors = {.lower = planes.lower, .upper = planes.upper, .clamps = planes.clamps}, .on_planes = {}};
   cut.on_planes.assign(surface.vertices.size(), {false, false, false});
+  if (planes.clamps.any()) cut.clamped.assign(surface.vertices.size(), 0);
   for_each_edge(sides_by_edge(surface), [&](std::span<TriangleSide const> edge) {
     if (edge.size() != 1) return;
     auto const ends = {static_cast<std::size_t>(edge[0].low), static_cast<std::size_t>(edge[0].high)};
@@ -52,6 +79,8 @@ Cut find_cut(TriangleSurface& surface, Mirrors const& planes, double tolerance) 
         if (!on) continue;
         found = true, (high ? cut.mirrors.high : cut.mirrors.low)[a] = true;
         for (std::size_t v : ends) cut.on_planes[v][a] = true, surface.vertices[v][a] = plane;
+        if (!planes.clamps.at(a, high ? 1 : -1)) continue;
+        for (std::size_t v : ends) cut.clamped[v] = 1;
       }
     }
     if (found) return;
@@ -61,6 +90,14 @@ Cut find_cut(TriangleSurface& surface, Mirrors const& planes, double tolerance) 
   });
   if (cut.mirrors.low[0] && cut.mirrors.high[0]) {
     throw SurfaceError("both sides of the domain across x cut a body", "turn the scene so that they are across y or z");
+  }
+  for (std::size_t a = 0; a < 3; ++a) {
+    for (int side : {-1, 1}) {
+      if (!planes.clamps.at(a, side) || (side < 0 ? cut.mirrors.low : cut.mirrors.high)[a]) continue;
+      throw SurfaceError(fmt::format("a body is clamped at the {} side of the domain across {}, which does not cut it",
+                                     side < 0 ? "lower" : "upper", "xyz"[a]),
+                         "let the body reach across that side, which must be a wall, or do not clamp it there");
+    }
   }
   return cut;
 }

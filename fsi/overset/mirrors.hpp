@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "fsi/overset/clamps.hpp"
 #include "fsi/overset/fields.hpp"
 #include "fsi/surface/triangle_surface.hpp"
 
@@ -19,6 +20,7 @@ using Image = std::array<int, 3>;
 struct Mirrors {
   std::array<bool, 3> low{}, high{};
   Vec3 lower{0, 0, 0}, upper{0, 0, 0};  ///< where they are [m]
+  Clamps clamps{};                      ///< those among them that bodies are bonded to instead
 
   [[nodiscard]] bool any() const noexcept { return low[0] || low[1] || low[2] || high[0] || high[1] || high[2]; }
   [[nodiscard]] bool across(std::size_t axis) const noexcept { return low[axis] || high[axis]; }
@@ -63,15 +65,24 @@ inline Vec3 reflected(Vec3 v, Image const& at) noexcept {
 }
 GasFields reflected(GasFields q, Image const& at) noexcept;
 SolidFields reflected(SolidFields q, Image const& at) noexcept;
+/// The same where some of the planes may be clamps: of a body.
+Vec3 reflected(Vec3 v, Image const& at, Clamps const& clamps) noexcept;
+SolidFields reflected(SolidFields q, Image const& at, Clamps const& clamps) noexcept;
+/// Of gas, to which a clamp is a wall as any other.
+inline GasFields reflected(GasFields const& q, Image const& at, Clamps const&) noexcept { return reflected(q, at); }
 
 /// Where planes of symmetry cut a body.
 struct Cut {
   Mirrors mirrors;                             ///< those planes alone
   std::vector<std::array<bool, 3>> on_planes;  ///< [vertex]: stays where it is along these axes
+  std::vector<char> clamped{};                 ///< [vertex]: stays where it is; empty without clamps
+
+  [[nodiscard]] bool stays(std::size_t vertex) const noexcept { return !clamped.empty() && clamped[vertex] != 0; }
 };
 
 /// The planes that the border of a surface lies on, within a tolerance [m]; its vertices are moved onto them. Throws
-/// SurfaceError for a border that lies elsewhere, and for a body that both planes across x cut.
+/// SurfaceError for a border that lies elsewhere, for a body that both planes across x cut, and for a clamp that does
+/// not cut it.
 Cut find_cut(TriangleSurface& surface, Mirrors const& planes, double tolerance);
 
 }  // namespace g27

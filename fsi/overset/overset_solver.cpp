@@ -155,7 +155,7 @@ struct OversetSolver::Impl {
         for (std::size_t k = 0; k < core_layers; ++k) {
           Vec3 const x = core_centre(t, k, h_gas), y = core_centre(t, k, -h);
           t.gas[k] = reflected(gas_at(walls.within(x)), walls.image_at(x));
-          t.solid[k] = reflected(solid_at(*b, cuts.within(y)), cuts.image_at(y));
+          t.solid[k] = reflected(solid_at(*b, cuts.within(y)), cuts.image_at(y), cuts.clamps);
         }
         t.velocity = velocity_of(solid_at(*b, t.centre)), t.pressure = t.gas[0][gas_field::p];
       }

@@ -24,9 +24,10 @@ ContentLedger of_gas(GridRestart const& r) {
   return {.mass = r.ledger.mass, .energy = r.ledger.energy, .momentum = r.ledger.momentum, .angular = {}};
 }
 
-/// Whether planes of symmetry that cut a body hold this: they push on it, and the pressures on its surface do not say
-/// how much.
+/// Whether planes of symmetry that cut a body, or clamps, hold this: they push on it, and the pressures on its surface
+/// do not say how much.
 bool held_by(Mirrors const& planes, std::string const& quantity) {
+  if (planes.clamps.any() && quantity.find("momentum_") != std::string::npos) return true;
   for (std::size_t a = 0; a < 3; ++a) {
     std::string const axis(1, "xyz"[a]);
     if (planes.across(a) && quantity == "momentum_" + axis) return true;

@@ -19,8 +19,8 @@ constexpr double fewest_across = 3;     ///< of its own grid across a body: what
 constexpr double most_triangles = 1e6;  ///< of a body
 constexpr double lightest = 0.03;       ///< rigid body that is stable in a shock, over the gas's density
 
-std::vector<std::string> const body_keys{"name", "surface",  "scale", "center", "rotate",   "velocity",
-                                         "spin", "material", "cell",  "extent", "pressure", "motion"};
+std::vector<std::string> const body_keys{"name",     "surface", "scale",  "center",   "rotate", "velocity", "spin",
+                                         "material", "cell",    "extent", "pressure", "motion", "clamped"};
 
 double width_of(GridBox const& box) { return (box.upper[0] - box.lower[0]) / box.cells[0]; }
 
@@ -194,6 +194,7 @@ SceneBody read_body(Section const& root, Section const& section, GridBox const& 
   place_surface(section, loaded.surface);
   BoundingBox const own = bounding_box(loaded.surface);
   body.cut = planes_that_cut(own, walls);
+  setup.clamps = body.cut.clamps = read_clamps(section, body.cut, solid.rigid);
   check_inside(section, "center", own, box, body.cut, "place the body");
   Vec3 const size = own.upper - own.lower;
   MassProperties const mass = mass_properties(loaded.surface);
@@ -230,6 +231,9 @@ SceneBody read_body(Section const& root, Section const& section, GridBox const& 
     throw section.error("motion", "is for rigid bodies", "remove it, or choose a material with strength.type rigid");
   }
   auto const [u, spin] = motion_at_start(section, body.cut);
+  if (setup.clamps.any() && (length(u) > 0 || length(spin) > 0)) {
+    throw section.error(length(u) > 0 ? "velocity" : "spin", "moves a body that is clamped", "remove it, or clamped");
+  }
   double const pressure = section.has("pressure") ? section.quantity("pressure", dimension::pressure) : point(centre).p;
   SolidPoint const rest = solid_at_rest(solid, pressure);
   if (!(rest.rho > 0 &&

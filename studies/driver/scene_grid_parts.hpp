@@ -65,6 +65,8 @@ std::function<GasPoint(Vec3 const&)> make_point_initial(std::vector<GridRegion> 
 /// start.
 std::vector<SceneBody> read_bodies(Section const& root, GasGridSetup const& gas,
                                    std::function<GasPoint(Vec3 const&)> const& point);
+/// clamped = ["y_low", ...] of a body that these planes cut.
+Clamps read_clamps(Section const& body, Mirrors const& cut, bool rigid);
 /// Gas cells that a body keeps from the sides of the domain, and from other bodies.
 inline constexpr double side_gap_cells = 3, body_gap_cells = 1;
 

@@ -244,6 +244,11 @@ std::vector<SceneRun> read_grid_runs(Section const& root, SceneRun run) {
 
   std::vector<SceneRun> runs;
   if (!grid.bodies.empty()) read_scheme_of_bodies(root, grid);
+  for (SceneBody const& body : grid.bodies) {
+    if (!grid.closure || !body.setup.clamps.any()) continue;
+    throw root.error("scheme", fmt::format("asks for closure, but '{}' has momentum from its clamp as well", body.name),
+                     "write closure = false, or leave out clamped");
+  }
   for (GridSchemeOptions options : read_grid_schemes(root, cfl.value_or(GasSchemeOptions{}.cfl), dimensions)) {
     if (!grid.bodies.empty()) check_schemes_of_bodies(root, options, grid.body_cfl);
     options.maps = run.output.repairs;

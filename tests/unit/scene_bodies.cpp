@@ -134,6 +134,9 @@ std::vector<Mistake> const mistakes{
     {"density = \"1 g/cm3\"\neos = { type = \"bulk-modulus\", K = \"2 GPa\" }\nstrength = { type = \"von-mises\", shear = \"0.5 GPa\", yield = \"2 MPa\", hardening = \"1 MPa\" }", "density = \"0.1 kg/m3\"\nstrength = { type = \"rigid\" }", "body.0.material", "unstable", "at least"},
     {"material = \"soft\"", "material = \"soft\"\ncell = \"2 um\"", "body.0.cell", "triangles", "choose it above"},
     {"velocity =", "motion = \"given\"\nvelocity =", "body.0.motion", "for rigid bodies", "strength.type rigid"},
+    {"velocity =", "clamped = [\"y_low\"]\nvelocity =", "body.0.clamped", "does not cut the body", "\"wall\""},
+    {"velocity =", "clamped = [\"x_lw\"]\nvelocity =", "body.0.clamped", "'x_lw'", "x_low"},
+    {"velocity =", "clamped = \"x_low\"\nvelocity =", "body.0.clamped", "not a list", "clamped = ["},
     {"velocity =", "spin = [\"0 rad/s\", \"0 rad\", \"0 rad/s\"]\nvelocity =", "body.0.spin.1", "not an angular velocity", "rad/s"},
     {"material = \"soft\"", "material = \"steel\"", "body.0.material", "'steel'", "soft"},
     {"material = \"soft\"", "material = \"gas\"", "body.0.material", "has no strength", "add strength"},
@@ -393,6 +396,36 @@ TEST_CASE("a rigid body in given motion has a velocity by tables, and planes tha
   CHECK(error_of("motion = \"given\"\nvelocity = [" + ramp + ", \"0 m/s\", \"0 m/s\"]", cut) ==
         "body.0.velocity: moves the body across the plane of symmetry that cuts it along x");
   CHECK(error_of("motion = \"given\"\nvelocity = [\"0 m/s\", " + ramp + ", \"0 m/s\"]", cut) == "accepted");
+}
+
+TEST_CASE("a body is clamped where a wall cuts it, at rest, without closure", "[scene]") {
+  Folder const folder;
+  std::string const at_rest = std::regex_replace(scene_text, std::regex("velocity = [^\n]*"), "clamped = [\"x_low\"]");
+  std::vector<std::string> const cut{
+      "body.0.center=[\"0 cm\", \"1.6 cm\", \"1.6 cm\"]",
+      "body.0.extent=[[\"0 cm\", \"1 cm\"], [\"0.7 cm\", \"2.5 cm\"], [\"0.7 cm\", \"2.5 cm\"]]"};
+  auto const with = [&](std::string const& more) {
+    std::vector<std::string> all = cut;
+    all.push_back(more);
+    return all;
+  };
+  g27::SceneBody const body = read(folder, cut, at_rest).runs[0].grid->bodies[0];
+  CHECK(body.setup.clamps.low == std::array<bool, 3>{true, false, false});
+  CHECK(body.cut.clamps.any());
+  CHECK_FALSE(body.setup.clamps.high[0]);
+  auto const key_of = [&](std::string const& more) {
+    try {
+      (void)read(folder, with(more), at_rest);
+    } catch (g27::InputError const& error) {
+      return error.key;
+    }
+    return std::string("accepted");
+  };
+  CHECK(key_of("scheme.closure=true") == "scheme");
+  CHECK(key_of("body.0.velocity=[\"0 m/s\", \"1 m/s\", \"0 m/s\"]") == "body.0.velocity");
+  CHECK(key_of("body.0.velocity=[\"0 m/s\", \"0 m/s\", \"0 m/s\"]") == "accepted");
+  CHECK(key_of("body.0.spin=[\"1 rad/s\", \"0 rad/s\", \"0 rad/s\"]") == "body.0.spin");
+  CHECK(key_of("body.0.clamped=[\"x_low\", \"y_low\"]") == "body.0.clamped");
 }
 
 TEST_CASE("a probe in a body is remarked on", "[scene]") {
