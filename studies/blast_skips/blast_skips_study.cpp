@@ -144,7 +144,7 @@ struct Outcome {
 Outcome outcome_of(Choice const& c, std::size_t number, StudyContext const& context) {
   auto const folder = context.out / fmt::format("run-{}", number);
   std::filesystem::create_directories(folder);
-  write_atomically(folder / "scene.toml", scene_of(c, context.out / "cube.stl"));
+  write_atomically(folder / "scene.toml", scene_of(c, std::filesystem::absolute(context.out / "cube.stl")));
   Scene const scene = read_scene(folder / "scene.toml", {});
   double const start = process_cpu_seconds();
   SceneResult const result = run_whole(scene, folder);
