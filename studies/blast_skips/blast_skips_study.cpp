@@ -36,16 +36,17 @@ constexpr std::array choices{
     Choice{"burning in 3D: a line", true, false, false, Begin::on_line},
     Choice{"burning: from breakout", true, false, false, Begin::breakout},
     Choice{"seven of eight octants", false, false, false, Begin::on_grid},
-    Choice{"all of these", false, true, true, Begin::breakout},
-    Choice{"all, but lit on a line", false, true, true, Begin::on_line},
-    Choice{"all, but lit on the grid", false, true, true, Begin::on_grid},
+    Choice{"rest, octants, from breakout", false, true, false, Begin::breakout},
+    Choice{"rest, octants, a line", false, true, false, Begin::on_line},
+    Choice{"rest, octants", false, true, false, Begin::on_grid},
+    Choice{"rest, octants, weak faces", false, true, true, Begin::on_grid},
     Choice{"elastic: nothing", true, false, false, Begin::on_grid, false},
     Choice{"elastic: Riemann solver on weak faces", true, false, true, Begin::on_grid, false},
     Choice{"elastic: seven of eight octants", false, false, false, Begin::on_grid, false},
-    Choice{"elastic: all, but lit on the grid", false, true, true, Begin::on_grid, false},
+    Choice{"elastic: rest, octants", false, true, false, Begin::on_grid, false},
 };
 constexpr std::size_t rest = 1, faces = 2, octant = 5, all = 6, same_start = 8;
-constexpr std::size_t elastic = 9, elastic_faces = 10, elastic_octant = 11, elastic_same_start = 12;
+constexpr std::size_t elastic = 10, elastic_faces = 11, elastic_octant = 12, elastic_same_start = 13;
 
 constexpr double end_us = 20;
 
@@ -197,9 +198,9 @@ StudyReport run(StudyContext const& context) {
       {{"leaving out what is at rest changes no bit of the cube's velocity", same ? "identical" : "DIFFERENT", same},
        judge("the acoustic star state on weak faces", faces, elastic_faces),
        judge("an octant between planes of symmetry", octant, elastic_octant),
-       judge("all that leaves the start as it is", same_start, elastic_same_start),
-       {"all together save a factor of 5 at least", fmt::format("{:.2f}", factor), factor >= 5},
-       {"so do those that leave the start as it is", fmt::format("{:.2f}", without_start), without_start >= 5}}};
+       judge("what is at rest and seven octants, together", same_start, elastic_same_start),
+       {"with the start from breakout they save a factor of 5 at least", fmt::format("{:.2f}", factor), factor >= 5},
+       {"so they do without it", fmt::format("{:.2f}", without_start), without_start >= 5}}};
 }
 
 }  // namespace
