@@ -122,11 +122,16 @@ class Remesher {
     return dot(a, b) < cos_sharp_ * length(a) * length(b);
   }
   /// The axis across the plane that holds these points, of a vertex at the border and its neighbours there; 3 if none
-  /// does.
+  /// does. Of two, where a side of the body lies across an axis as well, the one that the surface is less across.
   [[nodiscard]] std::size_t axis_of(Vertex v, std::array<Vertex, 2> const& line) const {
-    std::size_t a = 0;
-    while (a < 3 && (at(line[0])[a] != at(v)[a] || at(line[1])[a] != at(v)[a])) ++a;
-    return a;
+    Vec3 area{0, 0, 0};
+    for_each_around(v, [&](Half h) { area = area + area_of(corners(mesh_.face(h))); });
+    std::size_t found = 3;
+    for (std::size_t a = 0; a < 3; ++a) {
+      if (at(line[0])[a] != at(v)[a] || at(line[1])[a] != at(v)[a]) continue;
+      if (found == 3 || std::fabs(area[a]) < std::fabs(area[found])) found = a;
+    }
+    return found;
   }
   /// `line`: neighbours along the sharp line or the border, where the vertex lies on one.
   [[nodiscard]] Place place(Vertex v, std::array<Vertex, 2>& line) const {
