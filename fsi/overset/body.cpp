@@ -162,7 +162,6 @@ void Body::move_vertices(double dt, double growth) {
     if (double const size = length(normal); size > 0) way[v] = way[v] + (growth / size) * normal;
   }
   for (std::size_t v = 0; v < way.size(); ++v) {
-    if (cut.stays(v)) continue;
     for (std::size_t a = 0; a < 3; ++a) {
       if (!cut.on_planes[v][a]) surface.vertices[v][a] += way[v][a];
     }

@@ -66,7 +66,6 @@ SolidFields reflected(SolidFields q, Image const& at, Clamps const& clamps) noex
 Cut find_cut(TriangleSurface& surface, Mirrors const& planes, double tolerance) {
   Cut cut{.mirrors = {.lower = planes.lower, .upper = planes.upper, .clamps = planes.clamps}, .on_planes = {}};
   cut.on_planes.assign(surface.vertices.size(), {false, false, false});
-  if (planes.clamps.any()) cut.clamped.assign(surface.vertices.size(), 0);
   for_each_edge(sides_by_edge(surface), [&](std::span<TriangleSide const> edge) {
     if (edge.size() != 1) return;
     auto const ends = {static_cast<std::size_t>(edge[0].low), static_cast<std::size_t>(edge[0].high)};
@@ -78,9 +77,11 @@ Cut find_cut(TriangleSurface& surface, Mirrors const& planes, double tolerance) 
         for (std::size_t v : ends) on = on && std::fabs(surface.vertices[v][a] - plane) <= tolerance;
         if (!on) continue;
         found = true, (high ? cut.mirrors.high : cut.mirrors.low)[a] = true;
-        for (std::size_t v : ends) cut.on_planes[v][a] = true, surface.vertices[v][a] = plane;
-        if (!planes.clamps.at(a, high ? 1 : -1)) continue;
-        for (std::size_t v : ends) cut.clamped[v] = 1;
+        bool const clamp = planes.clamps.at(a, high ? 1 : -1);
+        for (std::size_t v : ends) {
+          surface.vertices[v][a] = plane, cut.on_planes[v][a] = true;
+          if (clamp) cut.on_planes[v] = {true, true, true};
+        }
       }
     }
     if (found) return;

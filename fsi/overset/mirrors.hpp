@@ -74,10 +74,7 @@ inline GasFields reflected(GasFields const& q, Image const& at, Clamps const&) n
 /// Where planes of symmetry cut a body.
 struct Cut {
   Mirrors mirrors;                             ///< those planes alone
-  std::vector<std::array<bool, 3>> on_planes;  ///< [vertex]: stays where it is along these axes
-  std::vector<char> clamped{};                 ///< [vertex]: stays where it is; empty without clamps
-
-  [[nodiscard]] bool stays(std::size_t vertex) const noexcept { return !clamped.empty() && clamped[vertex] != 0; }
+  std::vector<std::array<bool, 3>> on_planes;  ///< [vertex]: stays where it is along these axes; on clamps along all
 };
 
 /// The planes that the border of a surface lies on, within a tolerance [m]; its vertices are moved onto them. Throws

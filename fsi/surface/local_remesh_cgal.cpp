@@ -36,11 +36,6 @@ enum class Place { side, line, border, corner };
 
 using Corners = std::array<Vec3, 3>;
 Vec3 area_of(Corners const& c) { return 0.5 * cross(c[1] - c[0], c[2] - c[0]); }
-double height_of(Corners const& c) {
-  double longest = 0;
-  for (std::size_t k = 0; k < 3; ++k) longest = std::max(longest, length(c[(k + 1) % 3] - c[k]));
-  return 2 * length(area_of(c)) / (longest * longest);
-}
 /// The side, from its corner on, that is least like the two others: mirror images have each other's.
 std::size_t odd_side(Corners const& c) {
   double const l[3] = {length(c[1] - c[0]), length(c[2] - c[1]), length(c[0] - c[2])};
@@ -54,18 +49,20 @@ std::size_t odd_side(Corners const& c) {
 double longest_of(Corners const& c) {
   return std::max({length(c[1] - c[0]), length(c[2] - c[1]), length(c[0] - c[2])});
 }
+double height_of(Corners const& c) {
+  double const longest = longest_of(c);
+  return 2 * length(area_of(c)) / (longest * longest);
+}
 
 class Remesher {
  public:
   Remesher(TriangleSurface const& surface, LocalRemeshOptions const& options)
-      : o_(options),
+      : before_(surface),
+        o_(options),
         cos_sharp_(std::cos(options.feature_angle * std::numbers::pi / 180)),
         mesh_(to_cgal<Mesh>(surface)) {
     parents_ = mesh_.add_property_map<Face, std::vector<int>>("f:parents").first;
-    was_ = mesh_.add_property_map<Face, Corners>("f:was").first;
-    for (Face const f : mesh_.faces()) {
-      parents_[f] = {static_cast<int>(f)}, was_[f] = surface.corners(static_cast<std::size_t>(f));
-    }
+    for (Face const f : mesh_.faces()) parents_[f] = {static_cast<int>(f)};
   }
 
   LocalRemesh run() {
@@ -100,9 +97,11 @@ class Remesher {
   }
   /// A triangle that is what it was keeps its first side.
   void set_first_side(Face f) {
-    Corners const now = corners(f), &was = was_[f];
+    Corners const now = corners(f);
+    std::size_t const number = f;  // as of the triangle that it was
     std::size_t side = 0;
-    while (side < 3 && (now[side] != was[0] || now[(side + 1) % 3] != was[1] || now[(side + 2) % 3] != was[2])) ++side;
+    auto const turned = [&] { return Corners{now[side], now[(side + 1) % 3], now[(side + 2) % 3]}; };
+    while (side < 3 && (number >= before_.size() || turned() != before_.corners(number))) ++side;
     if (side == 3) side = odd_side(now);
     Half h = mesh_.prev(mesh_.halfedge(f));
     for (std::size_t k = 0; k < side; ++k) h = mesh_.next(h);
@@ -115,6 +114,18 @@ class Remesher {
       if (!mesh_.is_border(h)) f(h);
     }
   }
+  /// Sum of the area vectors of the triangles around a vertex.
+  [[nodiscard]] Vec3 area_around(Vertex v) const {
+    Vec3 area{0, 0, 0};
+    for_each_around(v, [&](Half h) { area = area + area_of(corners(mesh_.face(h))); });
+    return area;
+  }
+  /// Least height of the triangles around a vertex.
+  [[nodiscard]] double worst_around(Vertex v) const {
+    double worst = 1;
+    for_each_around(v, [&](Half h) { worst = std::min(worst, height_of(corners(mesh_.face(h)))); });
+    return worst;
+  }
   [[nodiscard]] bool sharp(Edge e) const {
     if (mesh_.is_border(e)) return true;
     Vec3 const a = area_of(corners(mesh_.face(mesh_.halfedge(e, 0)))),
@@ -124,8 +135,7 @@ class Remesher {
   /// The axis across the plane that holds these points, of a vertex at the border and its neighbours there; 3 if none
   /// does. Of two, where a side of the body lies across an axis as well, the one that the surface is less across.
   [[nodiscard]] std::size_t axis_of(Vertex v, std::array<Vertex, 2> const& line) const {
-    Vec3 area{0, 0, 0};
-    for_each_around(v, [&](Half h) { area = area + area_of(corners(mesh_.face(h))); });
+    Vec3 const area = area_around(v);
     std::size_t found = 3;
     for (std::size_t a = 0; a < 3; ++a) {
       if (at(line[0])[a] != at(v)[a] || at(line[1])[a] != at(v)[a]) continue;
@@ -247,18 +257,16 @@ class Remesher {
     if (fixed) x = static_cast<int>(pa) > static_cast<int>(pb) ? at(a) : at(b);
 
     std::vector<Changed> around;
-    double worst = 1;
+    double const worst = std::min(worst_around(a), worst_around(b));
     std::vector<Face> gone;
     for (Half const s : {h, mesh_.opposite(h)}) {
       if (!mesh_.is_border(s)) gone.push_back(mesh_.face(s));
     }
     auto const collect = [&](Vec3 const& to) {
-      around.clear(), worst = 1;
+      around.clear();
       for (Vertex const v : {a, b}) {
         for_each_around(v, [&](Half s) {
-          Face const f = mesh_.face(s);
-          worst = std::min(worst, height_of(corners(f)));
-          if (std::find(gone.begin(), gone.end(), f) == gone.end()) around.push_back(changed(s, to));
+          if (std::find(gone.begin(), gone.end(), mesh_.face(s)) == gone.end()) around.push_back(changed(s, to));
         });
       }
     };
@@ -327,24 +335,15 @@ class Remesher {
     }
   }
 
-  /// Of the triangles around a vertex.
-  [[nodiscard]] double worst_around(Vertex v) const {
-    double worst = 1;
-    for (Half const h : mesh_.halfedges_around_target(mesh_.halfedge(v))) {
-      worst = std::min(worst, height_of(corners(mesh_.face(h))));
-    }
-    return worst;
-  }
   /// From a vertex towards the middle of its neighbours, along the side or the line that it is on; nothing at corners.
   [[nodiscard]] Vec3 way_to_middle(Vertex v) const {
     std::array<Vertex, 2> line{};
     Place const where = place(v, line);
     if (where == Place::corner) return {0, 0, 0};
-    Vec3 middle{0, 0, 0}, area{0, 0, 0};
+    Vec3 const area = area_around(v);
+    Vec3 middle{0, 0, 0};
     int n = 0;
-    for (Half const h : mesh_.halfedges_around_target(mesh_.halfedge(v))) {
-      middle = middle + at(mesh_.source(h)), area = area + area_of(corners(mesh_.face(h))), ++n;
-    }
+    for_each_around(v, [&](Half h) { middle = middle + at(mesh_.source(h)), ++n; });
     Vec3 shift = step * ((1.0 / n) * middle - at(v));
     if (where == Place::line) {
       Vec3 const tangent = at(line[1]) - at(line[0]);
@@ -377,11 +376,11 @@ class Remesher {
     }
   }
 
+  TriangleSurface const& before_;
   LocalRemeshOptions o_;
   double cos_sharp_;
   Mesh mesh_;
   Mesh::Property_map<Face, std::vector<int>> parents_;
-  Mesh::Property_map<Face, Corners> was_;  ///< of a triangle that there was
   LocalRemeshCounts counts_;
 };
 

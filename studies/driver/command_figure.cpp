@@ -11,6 +11,7 @@
 #include "studies/driver/command.hpp"
 #include "studies/driver/early_end.hpp"
 #include "studies/driver/figure_needs.hpp"
+#include "studies/driver/hdf5_file.hpp"
 #include "studies/driver/input_error.hpp"
 #include "studies/driver/machine_threads.hpp"
 #include "studies/driver/provenance.hpp"
@@ -23,13 +24,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Strings = std::vector<std::string>;
-
-bool is_hdf5(fs::path const& file) {
-  std::string const signature = "\x89HDF\r\n\x1a\n";
-  std::string start(signature.size(), ' ');
-  std::ifstream(file, std::ios::binary).read(start.data(), static_cast<std::streamsize>(start.size()));
-  return start == signature;
-}
 
 void add_hdf5_files(fs::path const& from, Strings& files) {
   if (fs::is_regular_file(from)) {

@@ -200,6 +200,11 @@ void Hdf5Writer::save(std::filesystem::path const& file) {
   write_atomically(file, image);
 }
 
+bool is_hdf5(std::filesystem::path const& file) {
+  silence();
+  return H5Fis_hdf5(file.c_str()) > 0;
+}
+
 Hdf5Reader::Hdf5Reader(std::filesystem::path const& file) : name_(file.string()) {
   silence();
   file_ = H5Fopen(name_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);

@@ -13,6 +13,9 @@
 
 namespace g27 {
 
+/// Whether a file is there and of this kind.
+bool is_hdf5(std::filesystem::path const& file);
+
 /// A file to be written. Paths are absolute within it ("/state/0000/density"); groups are made as needed.
 class Hdf5Writer {
  public:

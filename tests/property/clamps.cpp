@@ -27,7 +27,8 @@ OversetSetup half_cube(bool clamped) {
                       .material = steel.scheme,
                       .cell = h,
                       .lower = {0, -0.7, -0.7},
-                      .upper = {0.7, 0.7, 0.7}});
+                      .upper = {0.7, 0.7, 0.7},
+                      .initial = {}});
   s.bodies[0].clamps.low[0] = clamped;
   return s;
 }

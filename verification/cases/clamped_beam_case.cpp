@@ -54,7 +54,6 @@ Case clamped_beam_case() {
     auto const value = [&](char const* name) { return value_of(parameters, options, name); };
     int const n = options.cells.value_or(4);
     double const h = 1.0 / n, L = value("slenderness");
-    double const K = 1 / (3 * (1 - 2 * poisson)), mu = 0.5 / (1 + poisson);
     ClampedBeam const beam{.thickness = 1, .length = L, .density = 1, .young = 1, .poisson = poisson};
     double const frequency = beam.thin(), period = 2 * std::numbers::pi / frequency;
     double const speed = value("amplitude") * frequency;
@@ -75,10 +74,12 @@ Case clamped_beam_case() {
     problem.setup.solid_options.cfl = options.predictor == Predictor::parabolic
                                           ? std::min(value("body_cfl"), largest_parabolic_body_cfl)
                                           : value("body_cfl");
-    BodySetup body = body_of(plate, {.eos = BulkModulus{1, K}, .mu = mu}, room);
-    body.initial = [=](Vec3 const& x) {
+    BodySetup body = body_of(plate, elastic_material(1, 1, poisson), p, room);
+    body.initial = [=, rest = body.initial](Vec3 const& x) {
       ClampedBeam::Mode const mode = beam.mode(x[1]);
-      return SolidPoint{.rho = 1 + p / K, .u = {speed * mode.value, -speed * (x[0] - 0.5) * mode.slope, 0}, .p = p};
+      SolidPoint state = rest(x);
+      state.u = {speed * mode.value, -speed * (x[0] - 0.5) * mode.slope, 0};
+      return state;
     };
     problem.setup.bodies.push_back(std::move(body));
     auto const history = std::make_shared<History>();

@@ -67,10 +67,8 @@ Case elastic_panel_case() {
     problem.setup.remeshing.on = false;
     problem.setup.solid_options.cfl =
         options.predictor == Predictor::parabolic ? largest_parabolic_body_cfl : largest_body_cfl;
-    double const K = young / (3 * (1 - 2 * poisson)), mu = 0.5 * young / (1 + poisson), room = 0.3 * height;
-    BodySetup body = body_of(plate, {.eos = BulkModulus{density, K}, .mu = mu}, room);
-    body.initial = [=](Vec3 const&) { return SolidPoint{.rho = density * (1 + ambient / K), .p = ambient}; };
-    problem.setup.bodies.push_back(std::move(body));
+    double const room = 0.3 * height;
+    problem.setup.bodies.push_back(body_of(plate, elastic_material(density, young, poisson), ambient, room));
     Int3 const gauge{before - static_cast<int>(std::lround(gauge_before / h_gas)), up - 1, 0};
     auto const history = std::make_shared<History>();
     problem.after_step = [=](OversetSolver const& solver) {

@@ -47,8 +47,15 @@ TriangleSurface surface_of(StandingPlate const& plate) {
   return s;
 }
 
-BodySetup body_of(StandingPlate const& plate, AnySolid const& material, double room) {
+AnySolid elastic_material(double density, double young, double poisson) {
+  return {.eos = BulkModulus{density, young / (3 * (1 - 2 * poisson))}, .mu = 0.5 * young / (1 + poisson)};
+}
+
+BodySetup body_of(StandingPlate const& plate, AnySolid const& material, double pressure, double room) {
   BodySetup body{.surface = surface_of(plate), .material = material, .cell = plate.cell, .initial = {}};
+  BulkModulus const eos = std::get<BulkModulus>(material.eos);
+  SolidPoint const rest{.rho = eos.rho0 * (1 + pressure / eos.K0), .p = pressure};
+  body.initial = [=](Vec3 const&) { return rest; };
   body.lower = {-room, 0, 0}, body.upper = {plate.thickness + room, plate.height + 0.5 * room, plate.width};
   body.clamps.low[1] = true;
   return body;
