@@ -70,20 +70,22 @@ int command_exact(ExactArguments const& arguments) {
       throw InputError("g27 exact", key, "is given twice", "give each key once");
     }
   }
-  try {
-    OracleRecord const record = evaluate(oracle, values);
-    if (arguments.json) {
-      nlohmann::ordered_json json = nlohmann::ordered_json::object();
-      for (auto const& [name, value] : record) {
-        json[name] = std::visit([](auto const& v) { return nlohmann::ordered_json(v); }, value);
-      }
-      fmt::print("{}\n", json.dump(2));
-    } else {
-      print_text(record);
+  OracleRecord const record = [&] {
+    try {
+      return evaluate(oracle, values);
+    } catch (OracleError const& error) {
+      throw InputError("g27 exact", error.key, error.what,
+                       fmt::format("{}; its keys: g27 exact {} --help", error.remedy, oracle.name));
     }
-  } catch (OracleError const&) {
-    fmt::print(stderr, "{}", help_of(oracle));
-    throw;
+  }();
+  if (arguments.json) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::object();
+    for (auto const& [name, value] : record) {
+      json[name] = std::visit([](auto const& v) { return nlohmann::ordered_json(v); }, value);
+    }
+    fmt::print("{}\n", json.dump(2));
+  } else {
+    print_text(record);
   }
   return 0;
 }

@@ -184,7 +184,7 @@ int gallery(FigureArguments const& arguments) {
 
 int command_figure(FigureArguments const& arguments) {
   if (fs::path(arguments.out).extension() == ".png") {
-    throw InputError("g27 figure", "--out", fmt::format("'{}' is to be a folder", arguments.out),
+    throw InputError("g27 figure", "--out", fmt::format("'{}' is a file's name; it takes a folder", arguments.out),
                      fmt::format("leave the file out: {}.png is written there", arguments.name));
   }
   if (arguments.name == "gallery") return gallery(arguments);

@@ -254,16 +254,12 @@ int run_program(int argc, char** argv) {
     }
     return status;
   } catch (CLI::ParseError const& error) {
-    app.exit(error);
-    if (argc > 1) {
-      std::vector<std::string> names;
-      for (auto const* sub : app.get_subcommands({})) {
-        names.push_back(sub->get_name());
-      }
-      if (argv[1][0] != '-' && std::find(names.begin(), names.end(), argv[1]) == names.end()) {
-        fmt::print(stderr, "  -> {}\n", suggestion(argv[1], names));
-      }
+    std::vector<std::string> names;
+    for (auto const* sub : app.get_subcommands({})) names.push_back(sub->get_name());
+    if (argv[1][0] != '-' && std::find(names.begin(), names.end(), argv[1]) == names.end()) {
+      return reporter.bad({"g27", argv[1], "is no command", suggestion(argv[1], names)});
     }
+    app.exit(error);
     return reporter.failed(error.what(), bad_input);
   } catch (InputError const& error) {
     return reporter.bad(error);

@@ -86,9 +86,9 @@ int command_run(RunArguments const& arguments) {
   }
   require_memory(scene);
   for (std::string const& remark : remarks_on(scene)) fmt::print(stderr, "{}\n", remark);
+  FolderLock const lock(out, "g27 run");
   fmt::print(stderr, "{}: {} run{} into {}\n", scene.title, scene.runs.size(), scene.runs.size() == 1 ? "" : "s",
              out.string());
-  FolderLock const lock(out, "g27 run");
   EarlierResults const earlier(out);
   if (!arguments.resume) earlier.set_aside();
   SceneResult const result = run_scene(scene, {.out = out,

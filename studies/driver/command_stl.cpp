@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
@@ -157,6 +158,9 @@ class StlCommand {
   }
 
   void write(std::string const& option, std::string const& file) {
+    if (std::error_code none; std::filesystem::equivalent(file, a_.file, none)) {
+      throw InputError(here, option, fmt::format("{} is the file that is examined", file), "choose another file");
+    }
     try {
       write_atomically(file, binary_stl(report_.surface, report_.unit));
     } catch (OutputError const& error) {

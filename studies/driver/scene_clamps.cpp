@@ -23,8 +23,9 @@ Clamps read_clamps(Section const& body, Mirrors const& cut, bool rigid) {
     bool const low = side % 2 == 0;
     if (!(low ? cut.low : cut.high)[axis]) {
       throw body.error(
-          "clamped", fmt::format("names {}, which does not cut the body", *name),
-          fmt::format(R"(let the body reach across {}, with {} = "wall" all over, or leave it out)", *name, *name));
+          "clamped", fmt::format("names {}, which is no wall all over, or does not cut the body", *name),
+          fmt::format(R"(set {} = "wall" in domain.boundary and let the body reach across it, or leave it out)",
+                      *name));
     }
     (low ? out.low : out.high)[axis] = true;
   }

@@ -132,7 +132,8 @@ SceneResult run_scene(Scene const& scene, SceneRunOptions const& options) {
         if (options.resume && std::filesystem::exists(file)) {
           std::lock_guard const lock(files);
           record = from_checkpoint(file, [&] { return read_run(file, scene, run); });
-          if (record.complete) fmt::print(stderr, "{} is complete already\n", run.name);
+          progress.say(record.complete ? fmt::format("{} is complete already", run.name)
+                                       : fmt::format("{} goes on from {:.6g} s", run.name, record.time()));
         }
         simulate(run, record,
                  {.progress = [&](double fraction) { progress.update(i, fraction, run.name); },

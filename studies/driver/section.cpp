@@ -115,7 +115,8 @@ long Section::integer(std::string const& key, long least, long most) const {
   auto const* value = std::get_if<long>(&node.value);
   auto const remedy = fmt::format("give a whole number from {} to {}", least, most);
   if (value == nullptr) {
-    throw error(key, fmt::format("is {}, not a whole number", node.type_name()), remedy);
+    throw error(key, fmt::format("is {}, not a whole number written without point and exponent", node.type_name()),
+                remedy);
   }
   if (*value < least || *value > most) {
     throw error(key, fmt::format("{} is out of range", *value), remedy);
@@ -134,7 +135,7 @@ std::array<int, 3> Section::counts(std::string const& key, std::size_t number, l
     auto const* count = std::get_if<long>(&(*list)[d].value);
     if (count == nullptr || *count < least || *count > most) {
       throw error(key,
-                  count == nullptr ? fmt::format("entry {} is not a whole number", d)
+                  count == nullptr ? fmt::format("entry {} is not a whole number written without point and exponent", d)
                                    : fmt::format("{} is out of range", *count),
                   fmt::format("give whole numbers from {} to {}", least, most));
     }

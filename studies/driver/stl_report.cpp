@@ -86,7 +86,11 @@ std::string to_text(StlReport const& r) {
   auto line = [&out](std::string const& name, std::string const& what) {
     out += fmt::format("  {:<12}{}\n", name, what);
   };
-  auto point = [&](Vec3 const& x) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", x[0] / u, x[1] / u, x[2] / u); };
+  // round-off of the body's size is no place
+  auto place = [&](double x) { return std::fabs(x) < 1e-14 * length(size) ? 0 : x / u; };
+  auto point = [&](Vec3 const& x) {
+    return fmt::format("({:.6g}, {:.6g}, {:.6g})", place(x[0]), place(x[1]), place(x[2]));
+  };
   line("triangles", fmt::format("{}, with {} vertices in {} {}", r.surface.size(), r.surface.vertices.size(), d.shells,
                                 d.shells == 1 ? "shell" : "shells"));
   line("box", fmt::format("{:.6g} x {:.6g} x {:.6g} {}, from {} to {}", size[0] / u, size[1] / u, size[2] / u, m,

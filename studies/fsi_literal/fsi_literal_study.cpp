@@ -60,8 +60,8 @@ std::vector<Problem> problems() {
            {{"front_error", "front face"},
             {"back_error", "back face"},
             {"push_error", "push"},
-            {"momentum_over_impulse", "momentum over impulse"}}},
-          {"blast", "cube-blast", 30, {{"end", 4e-6}}, {{"momentum_over_impulse", "momentum over impulse"}}}};
+            {"momentum_less_impulse", "momentum over impulse"}}},
+          {"blast", "cube-blast", 30, {{"end", 4e-6}}, {{"momentum_less_impulse", "momentum over impulse"}}}};
 }
 
 /// What a reading does to a quantity of a problem: its error over that of what is used, from ... to.

@@ -61,7 +61,7 @@ StudyReport run(StudyContext const& context) {
                   {"moved", "cells"},
                   {"front", "1"},
                   {"back", "1"},
-                  {"momentum_over_impulse", "1"},
+                  {"momentum_less_impulse", "1"},
                   {"pressure", "1"},
                   {"push", "1"},
                   {"gas_momentum_rest", "1"},
@@ -92,7 +92,7 @@ StudyReport run(StudyContext const& context) {
     auto const fact = [&](char const* name) { return r.facts.at(name); };
     double const at_contact = fact("contact_pressure") / fact("exact_pressure") - 1;
     table.rows.push_back({row.mach, row.degrees, long{row.cells}, long{row.order}, fact("displacement_in_cells"),
-                          fact("front_error"), fact("back_error"), fact("momentum_over_impulse"), at_contact,
+                          fact("front_error"), fact("back_error"), fact("momentum_less_impulse"), at_contact,
                           fact("push_error"), fact("gas_momentum_rest_over_impulse"),
                           static_cast<long>(fact("triangles")), r.wall_s});
     Worst& worst = !at_rest ? struck : row.order == 3 ? driven : by_linear;
@@ -102,7 +102,7 @@ StudyReport run(StudyContext const& context) {
       if (row.cells == thin) grow(worst.position_thin, fact(face));
     }
     grow(worst.pressure, at_contact);
-    if (row.cells >= thick) grow(worst.momentum, fact("momentum_over_impulse")), grow(worst.push, fact("push_error"));
+    if (row.cells >= thick) grow(worst.momentum, fact("momentum_less_impulse")), grow(worst.push, fact("push_error"));
     for (char const* quantity : {"time", "pressure", "exact_pressure", "front", "exact_front", "momentum", "impulse"})
       histories.write(fmt::format("/{}/{}", what, quantity), r.profile.at(quantity), "1");
   }

@@ -86,7 +86,7 @@ Case elastic_sphere_pulse_case() {
       BodyIntegrals const now = integrals(*solver.bodies()[0]);
       r.facts["momentum"] = history->momentum.back(), r.facts["position"] = history->position.back();
       r.facts["velocity"] = history->velocity.back(), r.facts["volume_change"] = history->volume.back();
-      r.facts["momentum_over_impulse"] = now.momentum[0] / history->momentum.back() - 1;
+      r.facts["momentum_less_impulse"] = now.momentum[0] / history->momentum.back() - 1;
       r.facts["radius_in_cells"] = radius / h;
     };
     return run_problem("elastic-sphere-pulse", 30, std::move(problem), options);

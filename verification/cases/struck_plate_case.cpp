@@ -189,7 +189,7 @@ Case struck_plate_case() {
       r.facts["displacement"] = moved, r.facts["displacement_in_cells"] = moved / h;
       r.facts["front_error"] = k.front.back() / moved - 1;
       r.facts["back_error"] = k.back.back() / exact->displacement(1, t) - 1;
-      r.facts["momentum_over_impulse"] = k.momentum.back() / impulse - 1;
+      r.facts["momentum_less_impulse"] = k.momentum.back() / impulse - 1;
       r.facts["contact_pressure"] = k.pressure.back(), r.facts["exact_pressure"] = exact->pressure(0, t);
       r.facts["gas_mass_rest_in_cells"] = k.gas_mass.back() / (in_front.rho * area * h);
       r.facts["gas_momentum_rest_over_impulse"] = k.gas_momentum.back() / impulse;

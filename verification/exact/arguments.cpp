@@ -62,8 +62,10 @@ std::vector<double> numbers(OracleArguments const& arguments, std::string const&
     from = to + 1;
   }
   if (separator == ',') return out;
-  if (out.size() != 3 || out[2] < 2 || out[2] > 1e6 || out[2] != std::floor(out[2]))
-    throw OracleError{key, "'" + text + "' is not a range", "write FIRST:LAST:COUNT, as 0:1:101"};
+  if (out.size() != 3) throw OracleError{key, "'" + text + "' is not a range", "write FIRST:LAST:COUNT, as 0:1:101"};
+  if (out[2] < 2 || out[2] > 1e6 || out[2] != std::floor(out[2]))
+    throw OracleError{key, "'" + text + "' has no such number of points",
+                      "give a whole number of them from 2 to 1000000"};
   std::vector<double> range(static_cast<std::size_t>(out[2]));
   for (std::size_t i = 0; i < range.size(); ++i)
     range[i] = out[0] + (out[1] - out[0]) * static_cast<double>(i) / (out[2] - 1);

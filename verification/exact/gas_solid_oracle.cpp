@@ -48,10 +48,13 @@ OracleRecord solve(OracleArguments const& arguments) {
   GasSolid const solution(eos_argument(arguments), gas, material, solid,
                           linear ? SolidModel::linear : SolidModel::waves);
   SolidPoint const star = solution.solid_star();
+  // sound speed of the solid without stress: its density has grown with the first stress as it does with more of it
+  double const a = solution.solid_speeds().front() - solid.u[0];
+  double const denser = linear ? solid.p / (a * a) : 0;
   OracleRecord out{{"p_star", solution.p_star()},
                    {"u_star", solution.u_star()},
                    {"rho_star_gas", solution.gas().rho_star_l()},
-                   {"rho_star_solid", star.rho},
+                   {"rho_star_solid", star.rho + denser},
                    {"ep_star", star.ep},
                    {"wave_gas", solution.gas().wave_l()},
                    {"vacuum", std::string(solution.vacuum() ? "yes" : "no")},
@@ -68,7 +71,7 @@ OracleRecord solve(OracleArguments const& arguments) {
       rho.push_back(s.rho), u.push_back(s.u), p.push_back(s.p);
     } else {
       SolidPoint const s = solution.solid_at(xi);
-      rho.push_back(s.rho), u.push_back(s.u[0]), p.push_back(s.p - s.S[0]);
+      rho.push_back(s.rho + denser), u.push_back(s.u[0]), p.push_back(s.p - s.S[0]);
     }
   }
   out.insert(out.end(), {{"x", samples->x}, {"rho", rho}, {"u", u}, {"p", p}});
