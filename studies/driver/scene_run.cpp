@@ -187,8 +187,8 @@ SceneResult run_scene(Scene const& scene, SceneRunOptions const& options) {
   return result;
 }
 
-SceneResult run_whole(Scene const& scene, std::filesystem::path const& out) {
-  SceneResult result = run_scene(scene, {.out = out, .threads = threads_or_all(0)});
+SceneResult run_whole(Scene const& scene, std::filesystem::path const& out, int threads) {
+  SceneResult result = run_scene(scene, {.out = out, .threads = threads_or_all(threads)});
   for (auto const& [run, why] : result.failures) throw std::runtime_error(fmt::format("{}: {}", run, why));
   if (result.interrupted != 0) throw Interrupted{result.interrupted};
   return result;

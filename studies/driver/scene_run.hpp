@@ -30,9 +30,9 @@ struct SceneResult {
 /// OUT/NAME.h5 and .xdmf at checkpoints and at its end; a failed one OUT/NAME.failure.json. Throws OutputError.
 SceneResult run_scene(Scene const& scene, SceneRunOptions const& options);
 
-/// The same on all threads, for studies: a run that fails throws std::runtime_error, one that a signal stops
-/// Interrupted.
-SceneResult run_whole(Scene const& scene, std::filesystem::path const& out);
+/// The same for studies, on all threads where `threads` is 0: a run that fails throws std::runtime_error, one that a
+/// signal stops Interrupted.
+SceneResult run_whole(Scene const& scene, std::filesystem::path const& out, int threads = 0);
 
 /// One row a run: steps, cell updates per second, share of switched faces, ledger residuals.
 Table run_table(Scene const& scene, SceneResult const& result);

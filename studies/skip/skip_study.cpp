@@ -39,14 +39,6 @@ GasPoint ball(Blast const& b, Vec3 const& x) {
   return {1.0, {0, 0, 0}, r < b.radius ? b.pressure : b.ambient};
 }
 
-/// Radius where pressure along x first exceeds twice the ambient one, from outside.
-double front(GasGrid const& grid, double ambient) {
-  for (int i = grid.cells()[0] - 1; i >= 0; --i) {
-    if (grid.primitive({i, 0, 0}).p > 2.0 * ambient) return grid.centre({i, 0, 0})[0];
-  }
-  return 0;
-}
-
 GasLine line_of(Blast const& b, int n) {
   GasLineSetup setup{.eos = IdealGas{b.gamma}, .symmetry = Symmetry::spherical};
   for (int f = 0; f <= n; ++f) setup.faces.push_back(box * f / n);
