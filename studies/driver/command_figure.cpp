@@ -32,6 +32,8 @@ void add_hdf5_files(fs::path const& from, Strings& files) {
                        "name a folder of results, or files of it that end with .h5");
     }
     files.push_back(from.string());
+  } else if (fs::exists(from / "study.h5")) {
+    files.push_back((from / "study.h5").string());  // beside what it was made of
   } else if (fs::is_directory(from)) {
     Strings found;
     for (auto const& entry : fs::directory_iterator(from)) {

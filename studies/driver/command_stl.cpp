@@ -85,6 +85,10 @@ class StlCommand {
     if (a_.make.empty() && !a_.set.empty()) {
       throw InputError(here, "--set", "belongs to --make", "leave it out for a file");
     }
+    if (!a_.remesh.empty() && !a_.repair_out.empty() && (a_.out.empty() || a_.out == a_.repair_out)) {
+      throw InputError(here, "--repair", "takes the surface before it is meshed anew",
+                       "name another file for the one after it by --out");
+    }
     report_.unit_assumed = a_.unit.empty();
     if (!a_.unit.empty()) report_.unit_name = a_.unit;
     report_.unit = unit_of(report_.unit_name);

@@ -139,7 +139,9 @@ std::vector<BodyEstimate> body_estimates(SceneRun const& run) {
     auto const [least, most] = std::minmax_element(lengths.begin(), lengths.end());
     BodyEstimate e{.name = body.name, .lower = setup.lower, .upper = setup.upper, .from = box.lower, .to = box.upper};
     e.triangles = static_cast<double>(setup.surface.size());
-    e.volume = enclosed(setup.surface, body.cut).volume, e.mass = body.density * e.volume;
+    // a body under pressure is denser than its material without
+    double const density = setup.rigid ? body.density : setup.initial(0.5 * (box.lower + box.upper)).rho;
+    e.volume = enclosed(setup.surface, body.cut).volume, e.mass = density * e.volume;
     if (!setup.rigid) e.cells = e.volume / std::pow(setup.cell, 3), e.window = window_cells(body);
     e.shortest = *least / setup.cell, e.longest = *most / setup.cell;
     e.bytes = e.window * body_cell_bytes;
