@@ -75,7 +75,7 @@ Case cube_blast_case() {
       r.facts["momentum_less_impulse"] = now.momentum[0] / held[0] - 1;
       r.facts["mass_change"] = now.mass / *mass - 1;
       MassProperties const last = mass_properties(b.surface);
-      r.facts["thickness"] = thickness(b.surface) / thick,
+      r.facts["thickness"] = thickness(b.surface) / thick;
       r.facts["displacement"] = last.centroid[0] - first.centroid[0];
       double shortest = 1e300, longest = 0;
       for (std::size_t t = 0; t < b.surface.size(); ++t) {
