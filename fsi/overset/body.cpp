@@ -111,7 +111,7 @@ Body::Body(BodySetup s, GasGrid const& gas_grid, SolidSchemeOptions const& optio
       literal(readings),
       triangles(surface.size()),
       grid(grid_setup(setup, cut.mirrors, options)),
-      solid(solid_window(setup, cut.mirrors), true, {}, literal),
+      solid(solid_window(setup, cut.mirrors), true, setup.material, literal),
       gas(gas_box(setup, gas_grid), false, gas_grid.setup().eos, literal) {
   connect(), place_triangles();
   for (TriangleState& t : triangles) t.at_start = t.frame.n;

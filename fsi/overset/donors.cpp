@@ -13,33 +13,51 @@ constexpr double reach = 1.6;          ///< radius of the donors, in cells
 constexpr double widen = 1.5;          ///< by which it grows when there are too few
 constexpr std::size_t fewest = 5;      ///< donors
 constexpr double least_moment = 0.02;  ///< of the sum of the weights, along a direction in which a slope is fitted
+constexpr double stiffness = 0.01;     ///< of a quadratic fit, see fsi/README.md
+constexpr double everything = 1e10;    ///< radius that takes all that were gathered, in cells
+constexpr double far_away = 1e30;      ///< where donors that do not give lie, in cells
 
-/// -C^-1 m of a symmetric matrix C; along eigenvectors whose eigenvalue is below `least` nothing.
-Vec3 minus_inverse_times(double const* c, Vec3 const& m, double least) {
-  double const xx = c[0], yy = c[1], zz = c[2], xy = c[3], xz = c[4], yz = c[5], trace = xx + yy + zz;
-  double const a = yy * zz - yz * yz, b = xz * yz - xy * zz, d = xy * yz - xz * yy;
-  double const det = xx * a + xy * b + xz * d;
-  // the least eigenvalue is at least 4 det/trace^2
-  if (det * 4 > least * trace * trace) {
-    double const e = xx * zz - xz * xz, f = xy * xz - xx * yz, g = xx * yy - xy * xy, k = -1 / det;
-    return {k * (a * m[0] + b * m[1] + d * m[2]), k * (b * m[0] + e * m[1] + f * m[2]),
-            k * (d * m[0] + f * m[1] + g * m[2])};
+/// Inverse of a symmetric matrix xx yy zz xy xz yz; along eigenvectors whose eigenvalue is below `least` nothing.
+class Inverse {
+ public:
+  Inverse(std::array<double, 6> const& c, double least) {
+    double const xx = c[0], yy = c[1], zz = c[2], xy = c[3], xz = c[4], yz = c[5], trace = xx + yy + zz;
+    double const a = yy * zz - yz * yz, b = xz * yz - xy * zz, d = xy * yz - xz * yy;
+    double const det = xx * a + xy * b + xz * d;
+    // the least eigenvalue is at least 4 det/trace^2
+    if (det * 4 > least * trace * trace) {
+      scale_ = 1 / det;
+      cofactors_ = {a, xx * zz - xz * xz, xx * yy - xy * xy, b, d, xy * xz - xx * yz};
+      return;
+    }
+    Eigen::Matrix3d C;
+    C << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> const solver(C);
+    for (int i = 0; i < 3; ++i) {
+      if (solver.eigenvalues()[i] <= least) continue;
+      Eigen::Vector3d const v = solver.eigenvectors().col(i);
+      values_[known_] = solver.eigenvalues()[i], vectors_[known_++] = {v[0], v[1], v[2]};
+    }
   }
-  Eigen::Matrix3d C;
-  C << xx, xy, xz, xy, yy, yz, xz, yz, zz;
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> const solver(C);
-  Eigen::Vector3d const mean(m[0], m[1], m[2]);
-  Eigen::Vector3d slope(0, 0, 0);
-  for (int i = 0; i < 3; ++i) {
-    if (solver.eigenvalues()[i] <= least) continue;
-    Eigen::Vector3d const v = solver.eigenvectors().col(i);
-    slope -= v * (v.dot(mean) / solver.eigenvalues()[i]);
-  }
-  return {slope[0], slope[1], slope[2]};
-}
 
-constexpr double everything = 1e10;  ///< radius that takes all that were gathered, in cells
-constexpr double far_away = 1e30;    ///< where donors that do not give lie, in cells
+  [[nodiscard]] Vec3 times(Vec3 const& m) const noexcept {
+    if (scale_ > 0) {
+      auto const [a, e, g, b, d, f] = cofactors_;
+      return {scale_ * (a * m[0] + b * m[1] + d * m[2]), scale_ * (b * m[0] + e * m[1] + f * m[2]),
+              scale_ * (d * m[0] + f * m[1] + g * m[2])};
+    }
+    Vec3 out{0, 0, 0};
+    for (std::size_t i = 0; i < known_; ++i) out = out + (dot(vectors_[i], m) / values_[i]) * vectors_[i];
+    return out;
+  }
+
+ private:
+  double scale_ = 0;
+  std::array<double, 6> cofactors_{};
+  std::size_t known_ = 0;
+  std::array<double, 3> values_{};
+  std::array<Vec3, 3> vectors_{};
+};
 
 /// Place of a medium's kernels in their tables.
 template <class Fields>
@@ -51,11 +69,33 @@ double energy_of(AnyEos const& eos, GasFields const& q) noexcept {
   return std::visit([&](auto const& law) { return law.energy(q[gas_field::rho], q[gas_field::p]); }, eos) +
          0.5 * dot(u, u);
 }
-double energy_of(std::monostate, SolidFields const&) noexcept { return 0; }
+double energy_of(AnySolid const&, SolidFields const&) noexcept { return 0; }
 
 double pressure_of(AnyEos const& eos, GasFields const& q, double energy) noexcept {
   Vec3 const u = velocity_of(q);
   return std::visit([&](auto const& law) { return law.pressure(q[gas_field::rho], energy - 0.5 * dot(u, u)); }, eos);
+}
+
+/// Elastic bodies are fitted by quadratics: a linear fit takes their vibrations away. Bodies that yield are not: in a
+/// blast they would lose momentum, see fsi/README.md.
+bool quadratic(AnyEos const&) noexcept { return false; }
+bool quadratic(AnySolid const& material) noexcept { return !material.plastic(); }
+
+/// Of a quadratic fit, from the mean place of the donors and the inverse of their moments about it: the share of each
+/// product xx .. yz that makes up for what its linear fit has at the point, where it is 0. What few donors tell of is
+/// stiffened by a part of the sum of the weights: there the fit remains a linear one.
+void find_curvature(FitArguments& g, Vec3 const& mean, Inverse const& inverse) {
+  FitKernels const& kernels = fit_kernels();
+  kernels.third(g);
+  for (std::size_t i = 0; i < g.constant.size(); ++i) {
+    g.linear[i] = inverse.times(Vec3(g.third[i]) - g.second[i] * mean);
+    g.constant[i] = g.second[i] / g.sum - dot(g.linear[i], mean);
+  }
+  kernels.fourth(g);
+  using Six = Eigen::Map<Eigen::Matrix<double, 6, 1>>;
+  Eigen::Matrix<double, 6, 6> moments = Eigen::Map<Eigen::Matrix<double, 6, 6>>(g.fourth[0].data());
+  moments.diagonal().array() += stiffness * g.sum;
+  Six(g.curvature.data()) = -moments.llt().solve(Six(g.constant.data()));
 }
 
 bool is_velocity(std::size_t f) noexcept { return f >= 1 && f <= 3; }
@@ -248,6 +288,7 @@ void Donors<Fields>::Gathered::take(Donors const& donors, From from, Vec3 const&
   auto const& x = donors.x_[static_cast<std::size_t>(from)];
   if (near_.size() < most) {
     for (auto* one : {&x_, &y_, &z_, &energy_, &weight_, &rx_, &ry_, &rz_}) one->resize(most);
+    if constexpr (!of_gas) bend_.resize(6 * most);  // products xx .. yz
     near_.resize(most), row_.resize(most);
   }
   ends_.resize(ranges_.size());
@@ -323,9 +364,17 @@ bool Donors<Fields>::Gathered::fit(std::span<DonorRange const> ranges, Vec3 cons
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = i; j < 3; ++j) c[tensor_place[i][j]] -= g.sum * m[i] * m[j];
   }
-  g.slope = minus_inverse_times(c.data(), m, least_moment * g.sum);
+  Inverse const inverse(c, least_moment * g.sum);
+  g.slope = -1.0 * inverse.times(m);
   g.level = 1 / g.sum - dot(g.slope, m);
-  kernels.combine[table<Fields>](g);
+  bool const curved = quadratic(law);
+  if (curved) {
+    for (std::size_t i = 0; i < g.bend.size(); ++i) g.bend[i] = bend_.data() + i * weight_.size();
+    find_curvature(g, m, inverse);
+    kernels.combine_quadratic(g);
+  } else {
+    kernels.combine[table<Fields>](g);
+  }
   double energy = 0;
   if constexpr (of_gas) {
     double const rho = std::clamp(g.mass, low[gas_field::rho], high[gas_field::rho]);
@@ -333,8 +382,8 @@ bool Donors<Fields>::Gathered::fit(std::span<DonorRange const> ranges, Vec3 cons
     value[gas_field::rho] = rho, energy = g.mean_energy / rho;
   }
   for (std::size_t f = 0; f < out.size(); ++f) {
-    double const more = is_velocity(f) ? excess * (high[f] - low[f]) : 0.0;
-    out[f] = std::clamp(value[f], low[f] - more, high[f] + more);
+    double const beyond = curved || is_velocity(f) ? excess * (high[f] - low[f]) : 0.0;
+    out[f] = std::clamp(value[f], low[f] - beyond, high[f] + beyond);
   }
   if constexpr (of_gas) {
     out[gas_field::p] = std::clamp(pressure_of(law, out, energy), low[gas_field::p], high[gas_field::p]);
@@ -345,7 +394,7 @@ bool Donors<Fields>::Gathered::fit(std::span<DonorRange const> ranges, Vec3 cons
 template <class Fields>
 Fields Donors<Fields>::at(Vec3 const& x, From from, Fields const& otherwise) const {
   Fields out{};
-  if (multilinear(x, from, out)) return out;
+  if (!quadratic(law_) && multilinear(x, from, out)) return out;
   thread_local Gathered donors;
   Vec3 const place = in_cells(x);
   double radius = reach;
@@ -367,7 +416,7 @@ void Donors<Fields>::Around::reset(Vec3 const& centre, Frame const& frame) {
 template <class Fields>
 Fields Donors<Fields>::Around::at(Vec3 const& x, Fields const& otherwise) {
   Fields out{};
-  if (donors_.multilinear(x, From::valid, out)) return out;
+  if (!quadratic(donors_.law()) && donors_.multilinear(x, From::valid, out)) return out;
   bool const enough = near_.fit(donors_.in_cells(x), reach, fewest, donors_.law_, donors_.excess(), out);
   return enough ? out : donors_.at(x, From::valid, otherwise);
 }

@@ -1,9 +1,12 @@
 #pragma once
 /// States at any point of a medium from its cells and from the cloud, the cores of the triangles' local grids.
 ///
-/// Where the eight cells around the point are valid, multilinear; else a weighted linear least-squares fit to the valid
-/// cells and the cloud within 1.6 cells. Density, pressure and stress stay within the donors' range, velocities may
-/// leave it by one range: bounds that a rotation meets would take its angular momentum.
+/// Of gas and of bodies that yield: where the eight cells around the point are valid, multilinear; else a weighted
+/// linear least-squares fit to the valid cells and the cloud within 1.6 cells. Density, pressure and stress stay within
+/// the donors' range, velocities may leave it by one range: bounds that a rotation meets would take its angular
+/// momentum.
+///
+/// Of elastic bodies: everywhere a quadratic fit to them, and all may leave the donors' range by one range.
 ///
 /// Of gas the densities of mass, momentum and energy are interpolated, which is what cells and cores hold: halfway
 /// across a shock the momentum of the mean density and the mean velocity is not the mean momentum.
@@ -17,7 +20,7 @@ template <class Fields>
 class Donors {
  public:
   static constexpr bool of_gas = std::tuple_size_v<Fields> == gas_field::count;
-  using Law = std::conditional_t<of_gas, AnyEos, std::monostate>;
+  using Law = std::conditional_t<of_gas, AnyEos, AnySolid>;
 
   /// The states of the cells are by the window's index. They may change, but not move once there is a cloud.
   Donors(CellKinds const& kinds, std::vector<Fields> const& states, Law const& law, Literal const& literal = {})
@@ -44,10 +47,10 @@ class Donors {
     [[nodiscard]] std::size_t size() const noexcept { return count_; }
     /// Those within `radius` of a cube of half width `half` about `middle` along the frame's axes, in cells.
     void take(Donors const& donors, From from, Vec3 const& middle, Frame const& frame, double half, double radius);
-    /// The fit at x to all of them.
+    /// The fit at x to all of them: quadratic for elastic solids.
     void fit(Vec3 const& x, Law const& law, double excess, Fields& out);
-    /// To those within `radius`; false if these are fewer than `fewest`. Velocities stay within the donors' range,
-    /// extended on either side by `excess` times its width.
+    /// To those within `radius`; false if these are fewer than `fewest`. What may leave the donors' range stays within
+    /// it, extended on either side by `excess` times its width.
     bool fit(Vec3 const& x, double radius, std::size_t fewest, Law const& law, double excess, Fields& out);
 
    private:
@@ -60,7 +63,7 @@ class Donors {
     std::vector<std::size_t> ends_;                              ///< [row] of the donors in it
     std::vector<DonorRange> ranges_;
     std::vector<int> near_;
-    std::vector<double> weight_, rx_, ry_, rz_;  ///< scratch of the kernels
+    std::vector<double> weight_, rx_, ry_, rz_, bend_;  ///< scratch of the kernels
   };
 
   /// Donors that are valid about a place, collected once for the many points of a local grid. As long as donors and

@@ -73,7 +73,55 @@ void moments(FitArguments& g) noexcept {
               stdx::reduce(xy), stdx::reduce(xz), stdx::reduce(yz)};
 }
 
-template <std::size_t fields, bool by_mass>
+/// xx yy zz xy xz yz
+std::array<Simd, 6> products(FitArguments const& g, std::size_t n) noexcept {
+  Simd const x = load<Simd>(g.rx + n), y = load<Simd>(g.ry + n), z = load<Simd>(g.rz + n);
+  return {x * x, y * y, z * z, x * y, x * z, y * z};
+}
+
+void third(FitArguments& g) noexcept {
+  // ten of the eighteen differ: xxx xxy xxz yyx yyy yyz zzx zzy zzz xyz
+  std::array<Simd, 10> sum{};
+  for (std::size_t n = 0; n < g.count; n += lanes) {
+    Simd const w = load<Simd>(g.weight + n), x = load<Simd>(g.rx + n), y = load<Simd>(g.ry + n),
+               z = load<Simd>(g.rz + n);
+    Simd const xx = w * x * x, yy = w * y * y, zz = w * z * z;
+    sum[0] += xx * x, sum[1] += xx * y, sum[2] += xx * z;
+    sum[3] += yy * x, sum[4] += yy * y, sum[5] += yy * z;
+    sum[6] += zz * x, sum[7] += zz * y, sum[8] += zz * z;
+    sum[9] += w * x * y * z;
+  }
+  std::array<double, 10> t{};
+  for (std::size_t i = 0; i < 10; ++i) t[i] = stdx::reduce(sum[i]);
+  g.third = {{{t[0], t[1], t[2]},
+              {t[3], t[4], t[5]},
+              {t[6], t[7], t[8]},
+              {t[1], t[3], t[9]},
+              {t[2], t[9], t[6]},
+              {t[9], t[5], t[7]}}};
+}
+
+void fourth(FitArguments& g) noexcept {
+  for (std::size_t n = 0; n < g.count; n += lanes) {
+    Simd const x = load<Simd>(g.rx + n), y = load<Simd>(g.ry + n), z = load<Simd>(g.rz + n);
+    std::array<Simd, 6> const q = products(g, n);
+    unrolled<6>([&](auto i) G27_INLINE_LAMBDA {
+      store<Simd>(g.bend[i] + n, q[i] - g.constant[i] - g.linear[i][0] * x - g.linear[i][1] * y - g.linear[i][2] * z);
+    });
+  }
+  unrolled<6>([&](auto i) G27_INLINE_LAMBDA {
+    std::array<Simd, 6> sum{};
+    for (std::size_t n = 0; n < g.count; n += lanes) {
+      Simd const one = load<Simd>(g.weight + n) * load<Simd>(g.bend[i] + n);
+      unrolled<6>([&](auto j) G27_INLINE_LAMBDA {
+        if constexpr (j >= i) sum[j] += one * load<Simd>(g.bend[j] + n);
+      });
+    }
+    for (std::size_t j = i; j < 6; ++j) g.fourth[i][j] = g.fourth[j][i] = stdx::reduce(sum[j]);
+  });
+}
+
+template <std::size_t fields, bool by_mass, bool quadratic>
 void combine(FitArguments& g) noexcept {
   constexpr std::size_t rows = fields / lanes, rest = fields % lanes, at_rest = rows * lanes;
   Simd out[rows + 1], low[rows + 1], high[rows + 1];
@@ -84,7 +132,11 @@ void combine(FitArguments& g) noexcept {
   double total = 0, mass = 0, energy = 0;
   for (std::size_t n = 0; n < g.count; n += lanes) {
     Simd const x = load<Simd>(g.rx + n), y = load<Simd>(g.ry + n), z = load<Simd>(g.rz + n);
-    store<Simd>(g.weight + n, load<Simd>(g.weight + n) * (g.level + g.slope[0] * x + g.slope[1] * y + g.slope[2] * z));
+    Simd share = g.level + g.slope[0] * x + g.slope[1] * y + g.slope[2] * z;
+    if constexpr (quadratic) {
+      unrolled<6>([&](auto i) G27_INLINE_LAMBDA { share += g.curvature[i] * load<Simd>(g.bend[i] + n); });
+    }
+    store<Simd>(g.weight + n, load<Simd>(g.weight + n) * share);
   }
   for (std::size_t n = 0; n < g.count; ++n) {
     std::size_t const i = static_cast<std::size_t>(g.near[n]);
@@ -132,10 +184,14 @@ void multilinear(EightArguments const& g) noexcept {
 }  // namespace
 
 extern FitKernels const fit_loops;
-constexpr FitKernels fit_loops{.near_cube = &near_cube,
-                               .moments = &moments,
-                               .combine = {&combine<gas_field::count, true>, &combine<solid_field_of::count, false>},
-                               .multilinear = {&multilinear<gas_field::count>, &multilinear<solid_field_of::count>}};
+constexpr FitKernels fit_loops{
+    .near_cube = &near_cube,
+    .moments = &moments,
+    .third = &third,
+    .fourth = &fourth,
+    .combine = {&combine<gas_field::count, true, false>, &combine<solid_field_of::count, false, false>},
+    .combine_quadratic = &combine<solid_field_of::count, false, true>,
+    .multilinear = {&multilinear<gas_field::count>, &multilinear<solid_field_of::count>}};
 
 }  // namespace G27_ISA
 }  // namespace g27

@@ -25,7 +25,7 @@ struct NearCubeArguments {
   std::size_t* ends = nullptr;                  ///< [range]: of those kept
 };
 
-/// A weighted linear fit at a point, in two passes between which the caller finds the slope.
+/// A weighted linear or quadratic fit at a point, in passes between which the caller finds its coefficients.
 struct FitArguments {
   std::size_t ranges = 0;
   DonorRange const* range = nullptr;
@@ -42,9 +42,17 @@ struct FitArguments {
   double sum = 0;
   std::array<double, 3> first{};
   std::array<double, 6> second{};  ///< xx yy zz xy xz yz
-  // into the second: shares are weight (level + slope.r), over their sum
+  // of a quadratic fit, by the same six products: their moments with x, y and z; then what is left of each beside its
+  // own linear fit constant + linear.r [donor], and the moments of that with one another
+  std::array<std::array<double, 3>, 6> third{};
+  std::array<double, 6> constant{};
+  std::array<std::array<double, 3>, 6> linear{};
+  std::array<double*, 6> bend{};
+  std::array<std::array<double, 6>, 6> fourth{};
+  // into the last: shares are weight (level + slope.r), with + curvature.bend of a quadratic fit, over their sum
   double level = 0;
   std::array<double, 3> slope{};
+  std::array<double, 6> curvature{};
   double *out = nullptr, *low = nullptr, *high = nullptr;  ///< [field], also the donors' range
   double mass = 0, mean_energy = 0;  ///< sums of the shares of field 0 and of it times the energy, where it weighs
 };
@@ -59,8 +67,11 @@ struct EightArguments {
 struct FitKernels {
   void (*near_cube)(NearCubeArguments&);
   void (*moments)(FitArguments&);
+  void (*third)(FitArguments&);
+  void (*fourth)(FitArguments&);
   /// Of the gas's fields, which weigh by field 0, the density; of the solid's.
   std::array<void (*)(FitArguments&), 2> combine;
+  void (*combine_quadratic)(FitArguments&);                    ///< of the solid's fields
   std::array<void (*)(EightArguments const&), 2> multilinear;  ///< of the gas's fields, of the solid's
 };
 
