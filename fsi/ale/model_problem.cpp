@@ -63,18 +63,28 @@ struct ModelProblems::Against final : Impl {
     gas.transverse(dt), solid.transverse(dt);
     solid.set_ghosts();
     gas.step(dt, pressure, first_order), solid.step(dt, pressure, first_order);
+    auto const take = [&](auto const& side, std::size_t lane, auto& states) {
+      bool sound = true;
+      for (int layer = 0; layer < core_layers; ++layer)
+        states[static_cast<std::size_t>(layer)] = side.state(lane, layer, frame[lane], sound);
+      return sound;
+    };
+    std::array<bool, lanes> gas_failed{};
     for (std::size_t lane = 0; lane < stencils.size(); ++lane) {
       ModelResult& r = results[lane];
       if (!r.failed) continue;
       bool sound = std::isfinite(pressure[lane]);
       for (double v : frame[lane]) sound = sound && std::isfinite(v);
       r.pressure = pressure[lane], r.velocity = frame[lane], r.first_order = first_order;
-      for (int layer = 0; layer < core_layers; ++layer) {
-        std::size_t const l = static_cast<std::size_t>(layer);
-        r.gas[l] = gas.state(lane, layer, frame[lane], sound);
-        r.solid[l] = solid.state(lane, layer, frame[lane], sound);
-      }
-      r.failed = !sound;
+      sound = take(solid, lane, r.solid) && sound;
+      bool const sound_gas = take(gas, lane, r.gas);
+      r.failed = !sound || !sound_gas, gas_failed[lane] = sound && !sound_gas;
+    }
+    if (first_order || std::none_of(gas_failed.begin(), gas_failed.end(), [](bool f) { return f; })) return;
+    gas.step(dt, pressure, true);  // the solid keeps what the same pressure gave it
+    for (std::size_t lane = 0; lane < stencils.size(); ++lane) {
+      if (!gas_failed[lane]) continue;
+      results[lane].first_order = true, results[lane].failed = !take(gas, lane, results[lane].gas);
     }
   }
 

@@ -9,6 +9,7 @@
 
 #include "fsi/overset/asleep.hpp"
 #include "fsi/overset/clouds.hpp"
+#include "fsi/overset/fast_cores.hpp"
 #include "fsi/overset/fill.hpp"
 #include "fsi/overset/rigid_step.hpp"
 #include "fsi/overset/thin_gaps.hpp"
@@ -299,11 +300,7 @@ struct OversetSolver::Impl {
 #pragma omp parallel for num_threads(threads) schedule(static) reduction(max : rate, solid_rate)
       for (std::size_t n = 0; n < b->triangles.size(); ++n) {
         TriangleState const& t = b->triangles[n];
-        GasFields const& q = t.gas[0];
-        Vec3 const v = t.frame.into(velocity_of(q) - t.velocity);
-        double const K = bulk_modulus(setup.gas.eos, q);
-        rate = std::max(
-            rate, (std::fabs(v[0]) + std::fabs(v[1]) + std::fabs(v[2]) + 3 * std::sqrt(K / q[gas_field::rho])) / h_gas);
+        rate = std::max(rate, signal_rate(setup.gas.eos, t, t.gas[0], h_gas));
         if (b->rigid) continue;
         SolidFields const& s = t.solid[0];
         double const M = p_wave_modulus(b->setup.material, s);
@@ -394,10 +391,15 @@ struct OversetSolver::Impl {
     if (trouble) std::rethrow_exception(trouble);
     classify();
     double const placed = seconds();
-#pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
+    std::uint64_t renewed = 0;
+    double const fastest = setup.gas.options.cfl / gas.stable_dt();
+#pragma omp parallel for num_threads(threads) schedule(dynamic, 1) reduction(+ : renewed)
     for (std::size_t n = 0; n < bodies.size(); ++n) {
-      if (sleeping[n] == 0) tie_thin_gaps(*bodies[n], dt);
+      if (sleeping[n] != 0) continue;
+      tie_thin_gaps(*bodies[n], dt);
+      renewed += renew_fast_cores(*bodies[n], fastest);
     }
+    counters.renewed += renewed;
     read_states(false), set_clouds();
     int tied = 0;
 #pragma omp parallel for num_threads(threads) schedule(dynamic, 1) reduction(+ : tied)

@@ -68,9 +68,9 @@ void for_each_member_of_clock(Clock& c, F const& f) {
   f(c.counters.seconds_geometry), f(c.counters.seconds_fill);
 }
 
-constexpr std::array counts{&OversetCounters::steps,  &OversetCounters::problems, &OversetCounters::first_order,
-                            &OversetCounters::failed, &OversetCounters::skipped,  &OversetCounters::untangled,
-                            &OversetCounters::tangled};
+constexpr std::array counts{&OversetCounters::steps,   &OversetCounters::problems, &OversetCounters::first_order,
+                            &OversetCounters::failed,  &OversetCounters::skipped,  &OversetCounters::untangled,
+                            &OversetCounters::tangled, &OversetCounters::renewed};
 constexpr std::array remesh_counts{&LocalRemeshCounts::splits, &LocalRemeshCounts::collapses, &LocalRemeshCounts::flips,
                                    &LocalRemeshCounts::moves, &LocalRemeshCounts::refused};
 

@@ -15,6 +15,7 @@ struct OversetCounters {
   std::uint64_t skipped = 0;              ///< model problems of bodies that nothing had reached
   std::uint64_t first_order = 0;          ///< of them redone by Godunov's scheme
   std::uint64_t failed = 0;               ///< of those kept as they were
+  std::uint64_t renewed = 0;              ///< cores of gas, see fast_cores.hpp
   LocalRemeshCounts remeshing{};
   std::uint64_t untangled = 0;  ///< vertices moved where a surface had run through itself
   std::uint64_t tangled = 0;    ///< steps of a body after which it still did

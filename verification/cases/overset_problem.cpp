@@ -98,6 +98,7 @@ void add_facts(OversetSolver const& solver, CaseResult& r) {
   r.facts["problems_first_order"] = static_cast<double>(c.first_order);
   r.facts["problems_skipped"] = static_cast<double>(c.skipped);
   r.facts["problems_failed"] = static_cast<double>(c.failed);
+  r.facts["cores_renewed"] = static_cast<double>(c.renewed);
   LocalRemeshCounts const& m = c.remeshing;
   r.facts["remeshing_splits"] = static_cast<double>(m.splits);
   r.facts["remeshing_collapses"] = static_cast<double>(m.collapses);
