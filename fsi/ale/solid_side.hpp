@@ -51,7 +51,8 @@ class SolidSide {
   std::vector<Terms> terms_;
   std::span<ModelStencil const> stencils_;
   std::array<Vec3, model_lanes> frame_{};
-  std::array<bool, model_lanes> tip_{};  ///< where no switch acts
+  std::array<bool, model_lanes> tip_{};      ///< where no switch acts
+  std::array<double, model_lanes> quiet_{};  ///< bend of the amplitudes up to which it does not, over K + 4 mu/3
   LaneRows<3> given_;
   std::array<Averages, core_layers> now_, next_;
 };

@@ -13,7 +13,7 @@ constexpr double reach = 1.6;          ///< radius of the donors, in cells
 constexpr double widen = 1.5;          ///< by which it grows when there are too few
 constexpr std::size_t fewest = 5;      ///< donors
 constexpr double least_moment = 0.02;  ///< of the sum of the weights, along a direction in which a slope is fitted
-constexpr double stiffness = 0.01;     ///< of a quadratic fit, see fsi/README.md
+constexpr double stiffness = 0.013;    ///< of a quadratic fit, see fsi/README.md
 constexpr double everything = 1e10;    ///< radius that takes all that were gathered, in cells
 constexpr double far_away = 1e30;      ///< where donors that do not give lie, in cells
 

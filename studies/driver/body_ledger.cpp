@@ -123,13 +123,15 @@ Table problem_table(Scene const& scene, SceneResult const& result) {
   Table table{.name = "problems",
               .title =
                   "Local problems, one at each triangle in a step (redone by Godunov's scheme; failed there too and "
-                  "left as they were; of bodies at rest), vertices drawn back where a surface ran through itself, "
+                  "left as they were; of bodies at rest), cores of gas that alone would have set the time step, "
+                  "vertices drawn back where a surface ran through itself, "
                   "steps after which it still did, and wall time of a step's parts",
               .columns = {{"run", "1"},
                           {"problems", "1"},
                           {"redone", "1"},
                           {"left", "1"},
                           {"at rest", "1"},
+                          {"renewed", "1"},
                           {"untangled", "1"},
                           {"tangled", "1"},
                           {"local", "s"},
@@ -143,8 +145,8 @@ Table problem_table(Scene const& scene, SceneResult const& result) {
     auto const found = result.records.find(run.name);
     if (found == result.records.end() || run.grid->bodies.empty()) continue;
     ProblemCounts const& p = found->second.grid->restart.problems;
-    table.rows.push_back({run.name, p.solved, p.first_order, p.kept, p.skipped, p.untangled, p.tangled, p.local_s,
-                          p.gas_s, p.bodies_s, p.geometry_s, p.interpolation_s});
+    table.rows.push_back({run.name, p.solved, p.first_order, p.kept, p.skipped, p.renewed, p.untangled, p.tangled,
+                          p.local_s, p.gas_s, p.bodies_s, p.geometry_s, p.interpolation_s});
   }
   return table;
 }

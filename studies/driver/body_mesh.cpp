@@ -116,6 +116,7 @@ class BodyMesh : public GridMesh {
                     .first_order = static_cast<double>(c.first_order),
                     .kept = static_cast<double>(c.failed),
                     .skipped = static_cast<double>(c.skipped),
+                    .renewed = static_cast<double>(c.renewed),
                     .untangled = static_cast<double>(c.untangled),
                     .tangled = static_cast<double>(c.tangled),
                     .local_s = c.seconds_local,

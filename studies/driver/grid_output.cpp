@@ -34,6 +34,7 @@ constexpr std::array problem_fields{std::pair{"problems", &ProblemCounts::solved
                                     std::pair{"problems_first_order", &ProblemCounts::first_order},
                                     std::pair{"problems_kept", &ProblemCounts::kept},
                                     std::pair{"problems_skipped", &ProblemCounts::skipped},
+                                    std::pair{"cores_renewed", &ProblemCounts::renewed},
                                     std::pair{"vertices_untangled", &ProblemCounts::untangled},
                                     std::pair{"steps_tangled", &ProblemCounts::tangled},
                                     std::pair{"wall_s_local", &ProblemCounts::local_s},

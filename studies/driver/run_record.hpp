@@ -45,6 +45,7 @@ struct ContentLedger {
 struct ProblemCounts {
   double solved = 0, first_order = 0, kept = 0;  ///< redone by Godunov's scheme; failed there too and left as they were
   double skipped = 0;                            ///< of bodies that nothing had reached
+  double renewed = 0;                            ///< cores of gas that alone would have set the time step
   double untangled = 0,
          tangled = 0;  ///< vertices drawn back where a surface ran through itself; steps when it stayed so
   /// Wall time of the parts of all steps: these problems, the gas's grid, the bodies' grids, where the surfaces are,

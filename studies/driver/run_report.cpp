@@ -80,7 +80,8 @@ Json result_json(Scene const& scene, SceneResult const& result, std::filesystem:
         if (!run.grid->bodies.empty()) {
           ProblemCounts const& p = record.grid->restart.problems;
           entry["bodies"] = bodies_json(run, record);
-          entry["model_problems"] = {{"solved", p.solved}, {"first_order", p.first_order}, {"kept", p.kept}};
+          entry["model_problems"] = {
+              {"solved", p.solved}, {"first_order", p.first_order}, {"kept", p.kept}, {"cores_renewed", p.renewed}};
           entry["surfaces"] = {{"vertices_untangled", p.untangled}, {"steps_tangled", p.tangled}};
         }
       }

@@ -12,7 +12,7 @@ using namespace g27;
 
 namespace {
 
-constexpr double h = 1.0 / 12, p0 = 1e6, speed = 10, edge = 1;
+constexpr double h = 1.0 / 18, p0 = 1e6, speed = 10, edge = 1;
 constexpr double bulk = 175e9, shear = 80.77e9;
 
 /// Half of a steel cube in thin gas at its pressure, on the wall x = 0, moving at `u`.
