@@ -6,6 +6,8 @@
 #include <chrono>
 #include <cmath>
 #include <exception>
+#include <stdexcept>
+#include <string>
 
 #include "fsi/overset/asleep.hpp"
 #include "fsi/overset/clouds.hpp"
@@ -438,6 +440,12 @@ struct OversetSolver::Impl {
     } else {
       add_impulse(b, dt, held);
       b.move_vertices(dt, held.growth);
+      for (Vec3 const& x : b.surface.vertices) {
+        if (std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2])) continue;
+        throw std::runtime_error("the surface of body " + std::to_string(number + 1) + " has broken down in step " +
+                                 std::to_string(counters.steps + 1) +
+                                 ": its grid may be too coarse, or its time step too long");
+      }
       b.place_triangles();
       turn_cores(b, places[number], slopes[number], dt);
       changes = remesh(b, setup.remeshing);
