@@ -76,8 +76,8 @@ double pressure_of(AnyEos const& eos, GasFields const& q, double energy) noexcep
   return std::visit([&](auto const& law) { return law.pressure(q[gas_field::rho], energy - 0.5 * dot(u, u)); }, eos);
 }
 
-/// Elastic bodies are fitted by quadratics: a linear fit takes their vibrations away. Bodies that yield are not: in a
-/// blast they would lose momentum, see fsi/README.md.
+/// Elastic bodies are fitted by quadratics: a linear fit takes their vibrations away. Bodies that yield are not: a
+/// charge would tear their rims off, see fsi/README.md.
 bool quadratic(AnyEos const&) noexcept { return false; }
 bool quadratic(AnySolid const& material) noexcept { return !material.plastic(); }
 

@@ -103,11 +103,12 @@ Case breathing_sphere_case() {
           zeros.size() > 1 ? 2 * (zeros.back() - zeros.front()) / static_cast<double>(zeros.size() - 1) : none;
       double const first = swelling->largest(0, 0.5), last = swelling->largest(periods - 0.5, periods);
       r.facts["amplitude_left"] = last / first;
-      // of the amplitude from one period to the next, relative; the first has the start's half swing
-      double growth = -1;
-      for (int k = 1; k + 2 <= static_cast<int>(periods); ++k)
-        growth = std::max(growth, swelling->largest(k + 1, k + 2) / swelling->largest(k, k + 1) - 1);
-      if (periods >= 3) r.facts["largest_growth"] = growth;
+      if (periods >= 3) {
+        // of the amplitude from one period to the next, relative; the first has the start's half swing
+        double& growth = r.facts["largest_growth"] = -1;
+        for (int k = 1; k + 2 <= static_cast<int>(periods); ++k)
+          growth = std::max(growth, swelling->largest(k + 1, k + 2) / swelling->largest(k, k + 1) - 1);
+      }
       BodyIntegrals const end = integrals(*solver.bodies()[0]);
       r.facts["energy_left"] = (end.kinetic + end.strain) / (start->kinetic + start->strain);
       r.facts["mass_change"] = end.mass / start->mass - 1;
