@@ -10,10 +10,11 @@ namespace {
 namespace cell = solid_cell;
 namespace face = solid_face;
 
-/// Bend of the amplitudes over K + 4 mu/3 up to which no switch acts; larger in elastic bodies away from their edges.
-/// One that acts there takes .5 % of the momentum of a driven plate of 10 cells and 4 % of that of a cube in a blast;
-/// in bodies that yield it is needed, and at edges a tetrahedron would gain spin without: fsi/README.md.
-constexpr double quiet = 1e-3, quiet_within = 0.01;
+/// Bend of the amplitudes over K + 4 mu/3 up to which no switch acts, at a side of the body and in its inner (where the
+/// local grid meets no side). One that acts from .001 on everywhere takes .5 % of the momentum of a driven plate of 10
+/// cells; none at all adds 12 % to that of a yielding cube in a blast, and at edges a tetrahedron would gain spin
+/// without: fsi/README.md.
+constexpr double quiet = 1e-3, quiet_within = 0.03;
 constexpr double most_change = 0.3;  ///< of the density in a step, relative
 
 /// Whether the body ends within the local grid behind the contact, or on both sides of a layer: too little is known of
@@ -24,15 +25,6 @@ bool is_tip(ModelStencil const& s) noexcept {
     tip = tip || (layer[0][1] && layer[2][1]) || (layer[1][0] && layer[1][2]);
   }
   return tip;
-}
-
-/// Whether a side of the body, other than the contact, lies within the local grid.
-bool has_side(ModelStencil const& s) noexcept {
-  bool side = false;
-  for (auto const& layer : s.solid_ghost) {
-    for (auto const& row : layer) side = side || std::any_of(row.begin(), row.end(), [](bool ghost) { return ghost; });
-  }
-  return side;
 }
 
 template <std::size_t fields>
@@ -65,7 +57,7 @@ void SolidSide::load(std::span<ModelStencil const> stencils, std::array<Vec3, mo
   stencils_ = stencils, frame_ = frame;
   for (std::size_t lane = 0; lane < model_lanes; ++lane) {
     ModelStencil const& s = stencils[std::min(lane, stencils.size() - 1)];
-    tip_[lane] = is_tip(s), quiet_[lane] = solid_.plastic() || has_side(s) ? quiet : quiet_within;
+    tip_[lane] = is_tip(s), quiet_[lane] = s.inner ? quiet_within : quiet;
     for (int i = 0; i < 3; ++i) {
       for (int j = 0; j < 3; ++j) {
         for (int k = 0; k < 3; ++k) {

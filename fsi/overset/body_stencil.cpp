@@ -129,6 +129,7 @@ ModelStencil Body::stencil(std::size_t triangle, Nearby& nearby) const {
   if (gas.kinds.in_medium(fourth)) {
     s.gas_fourth = into_frame(f, gas.donors.at(fourth, Donors<GasFields>::From::valid, t.gas[1]));
   }
+  s.inner = whole && !rigid && solid.kinds.resolved(core_centre(t, 0, -h));
   if (whole || rigid) {
     s.solid_smooth = s.solid;
     return s;

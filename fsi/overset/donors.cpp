@@ -76,11 +76,6 @@ double pressure_of(AnyEos const& eos, GasFields const& q, double energy) noexcep
   return std::visit([&](auto const& law) { return law.pressure(q[gas_field::rho], energy - 0.5 * dot(u, u)); }, eos);
 }
 
-/// Elastic bodies are fitted by quadratics: a linear fit takes their vibrations away. Bodies that yield are not: a
-/// charge would tear their rims off, see fsi/README.md.
-bool quadratic(AnyEos const&) noexcept { return false; }
-bool quadratic(AnySolid const& material) noexcept { return !material.plastic(); }
-
 /// Of a quadratic fit, from the mean place of the donors and the inverse of their moments about it: the share of each
 /// product xx .. yz that makes up for what its linear fit has at the point, where it is 0. What few donors tell of is
 /// stiffened by a part of the sum of the weights: there the fit remains a linear one.
@@ -98,7 +93,10 @@ void find_curvature(FitArguments& g, Vec3 const& mean, Inverse const& inverse) {
   Six(g.curvature.data()) = -moments.llt().solve(Six(g.constant.data()));
 }
 
-bool is_velocity(std::size_t f) noexcept { return f >= 1 && f <= 3; }
+/// Whether the fit may leave the donors' range in a field. Plastic strain, which only grows, never does.
+bool is_free(std::size_t f, bool quadratic) noexcept {
+  return (f >= 1 && f <= 3) || (quadratic && f != solid_field_of::ep);
+}
 
 }  // namespace
 
@@ -313,14 +311,13 @@ void Donors<Fields>::Gathered::take(Donors const& donors, From from, Vec3 const&
 }
 
 template <class Fields>
-void Donors<Fields>::Gathered::fit(Vec3 const& x, Law const& law, double excess, Fields& out) {
+void Donors<Fields>::Gathered::fit(Vec3 const& x, Kind const& kind, Fields& out) {
   DonorRange const all{0, count_};
-  fit(std::span(&all, 1), x, everything, 1, law, excess, out);
+  fit(std::span(&all, 1), x, everything, 1, kind, out);
 }
 
 template <class Fields>
-bool Donors<Fields>::Gathered::fit(Vec3 const& x, double radius, std::size_t few, Law const& law, double excess,
-                                   Fields& out) {
+bool Donors<Fields>::Gathered::fit(Vec3 const& x, double radius, std::size_t few, Kind const& kind, Fields& out) {
   // rows of cells beside each other follow each other
   auto const cell = [&](std::size_t a, double by) { return static_cast<int>(std::floor(x[a] + by)); };
   int const j0 = std::max(first_j_, cell(1, -radius)), j1 = std::min(last_j_, cell(1, radius));
@@ -331,12 +328,12 @@ bool Donors<Fields>::Gathered::fit(Vec3 const& x, double radius, std::size_t few
     auto const end = [&](int j) { return row + j < 0 ? 0 : ends_[static_cast<std::size_t>(row + j)]; };
     ranges_.push_back({end(j0 - 1), end(j1)});
   }
-  return fit(ranges_, x, radius, few, law, excess, out);
+  return fit(ranges_, x, radius, few, kind, out);
 }
 
 template <class Fields>
 bool Donors<Fields>::Gathered::fit(std::span<DonorRange const> ranges, Vec3 const& x, double radius, std::size_t few,
-                                   Law const& law, double excess, Fields& out) {
+                                   Kind const& kind, Fields& out) {
   Fields low, high, value;
   FitArguments g{.ranges = ranges.size(),
                  .range = ranges.data(),
@@ -367,8 +364,7 @@ bool Donors<Fields>::Gathered::fit(std::span<DonorRange const> ranges, Vec3 cons
   Inverse const inverse(c, least_moment * g.sum);
   g.slope = -1.0 * inverse.times(m);
   g.level = 1 / g.sum - dot(g.slope, m);
-  bool const curved = quadratic(law);
-  if (curved) {
+  if (kind.quadratic) {
     for (std::size_t i = 0; i < g.bend.size(); ++i) g.bend[i] = bend_.data() + i * weight_.size();
     find_curvature(g, m, inverse);
     kernels.combine_quadratic(g);
@@ -382,19 +378,19 @@ bool Donors<Fields>::Gathered::fit(std::span<DonorRange const> ranges, Vec3 cons
     value[gas_field::rho] = rho, energy = g.mean_energy / rho;
   }
   for (std::size_t f = 0; f < out.size(); ++f) {
-    double const beyond = curved || is_velocity(f) ? excess * (high[f] - low[f]) : 0.0;
+    double const beyond = is_free(f, kind.quadratic) ? kind.excess * (high[f] - low[f]) : 0.0;
     out[f] = std::clamp(value[f], low[f] - beyond, high[f] + beyond);
   }
   if constexpr (of_gas) {
-    out[gas_field::p] = std::clamp(pressure_of(law, out, energy), low[gas_field::p], high[gas_field::p]);
+    out[gas_field::p] = std::clamp(pressure_of(kind.law, out, energy), low[gas_field::p], high[gas_field::p]);
   }
   return true;
 }
 
 template <class Fields>
-Fields Donors<Fields>::at(Vec3 const& x, From from, Fields const& otherwise) const {
+Fields Donors<Fields>::at(Vec3 const& x, From from, Fields const& otherwise, bool curved) const {
   Fields out{};
-  if (!quadratic(law_) && multilinear(x, from, out)) return out;
+  if (!curved && multilinear(x, from, out)) return out;
   thread_local Gathered donors;
   Vec3 const place = in_cells(x);
   double radius = reach;
@@ -403,7 +399,7 @@ Fields Donors<Fields>::at(Vec3 const& x, From from, Fields const& otherwise) con
     if (donors.size() >= fewest) break;
   }
   if (donors.size() == 0) return otherwise;
-  donors.fit(place, law_, excess(), out);
+  donors.fit(place, kind(curved), out);
   return out;
 }
 
@@ -416,8 +412,9 @@ void Donors<Fields>::Around::reset(Vec3 const& centre, Frame const& frame) {
 template <class Fields>
 Fields Donors<Fields>::Around::at(Vec3 const& x, Fields const& otherwise) {
   Fields out{};
-  if (!quadratic(donors_.law()) && donors_.multilinear(x, From::valid, out)) return out;
-  bool const enough = near_.fit(donors_.in_cells(x), reach, fewest, donors_.law_, donors_.excess(), out);
+  bool const curved = donors_.curved(x);
+  if (!curved && donors_.multilinear(x, From::valid, out)) return out;
+  bool const enough = near_.fit(donors_.in_cells(x), reach, fewest, donors_.kind(curved), out);
   return enough ? out : donors_.at(x, From::valid, otherwise);
 }
 

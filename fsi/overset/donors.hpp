@@ -1,12 +1,13 @@
 #pragma once
 /// States at any point of a medium from its cells and from the cloud, the cores of the triangles' local grids.
 ///
-/// Of gas and of bodies that yield: where the eight cells around the point are valid, multilinear; else a weighted
-/// linear least-squares fit to the valid cells and the cloud within 1.6 cells. Density, pressure and stress stay within
-/// the donors' range, velocities may leave it by one range: bounds that a rotation meets would take its angular
-/// momentum.
+/// Of gas, and of solids at tips and in rims (CellKinds::resolved): where the eight cells around the point are valid,
+/// multilinear; else a weighted linear least-squares fit to the valid cells and the cloud within 1.6 cells. Density,
+/// pressure and stress stay within the donors' range, velocities may leave it by one range: bounds that a rotation
+/// meets would take its angular momentum.
 ///
-/// Of elastic bodies: everywhere a quadratic fit to them, and all may leave the donors' range by one range.
+/// Of solids elsewhere: a quadratic fit to them, and all but the plastic strain may leave the donors' range by one
+/// range.
 ///
 /// Of gas the densities of mass, momentum and energy are interpolated, which is what cells and cores hold: halfway
 /// across a shock the momentum of the mean density and the mean velocity is not the mean momentum.
@@ -39,7 +40,13 @@ class Donors {
     own_update  ///< those that the grid's scheme has updated and that still are of the medium
   };
   /// `otherwise`: where nothing is near.
-  [[nodiscard]] Fields at(Vec3 const& x, From from, Fields const& otherwise) const;
+  [[nodiscard]] Fields at(Vec3 const& x, From from, Fields const& otherwise) const {
+    return at(x, from, otherwise, curved(x));
+  }
+  /// The same, linear everywhere.
+  [[nodiscard]] Fields linear_at(Vec3 const& x, From from, Fields const& otherwise) const {
+    return at(x, from, otherwise, false);
+  }
 
   /// Donors about a place: where they are, in cells of the window, and their states, which must not change meanwhile.
   class Gathered {
@@ -47,15 +54,19 @@ class Donors {
     [[nodiscard]] std::size_t size() const noexcept { return count_; }
     /// Those within `radius` of a cube of half width `half` about `middle` along the frame's axes, in cells.
     void take(Donors const& donors, From from, Vec3 const& middle, Frame const& frame, double half, double radius);
-    /// The fit at x to all of them: quadratic for elastic solids.
-    void fit(Vec3 const& x, Law const& law, double excess, Fields& out);
-    /// To those within `radius`; false if these are fewer than `fewest`. What may leave the donors' range stays within
-    /// it, extended on either side by `excess` times its width.
-    bool fit(Vec3 const& x, double radius, std::size_t fewest, Law const& law, double excess, Fields& out);
+    struct Kind {
+      Law const& law;
+      bool quadratic;  ///< of solids alone
+      double excess;   ///< what may leave the donors' range does so on either side by this part of its width, at most
+    };
+    /// The fit at x to all of them.
+    void fit(Vec3 const& x, Kind const& kind, Fields& out);
+    /// To those within `radius`; false if these are fewer than `fewest`.
+    bool fit(Vec3 const& x, double radius, std::size_t fewest, Kind const& kind, Fields& out);
 
    private:
-    bool fit(std::span<DonorRange const> ranges, Vec3 const& x, double radius, std::size_t fewest, Law const& law,
-             double excess, Fields& out);
+    bool fit(std::span<DonorRange const> ranges, Vec3 const& x, double radius, std::size_t fewest, Kind const& kind,
+             Fields& out);
     std::size_t count_ = 0;
     std::vector<double> x_, y_, z_, energy_;
     std::vector<double const*> row_;
@@ -102,7 +113,11 @@ class Donors {
     if (from == From::own_update) return kinds_.valid(i) && kinds_.kind_before(i) == CellKind::deep;
     return literal_.deep_donors ? kinds_.kind(i) == CellKind::deep : kinds_.valid(i);
   }
-  [[nodiscard]] double excess() const noexcept { return literal_.clipped_velocities ? 0 : 1; }
+  [[nodiscard]] bool curved(Vec3 const& x) const noexcept { return !of_gas && kinds_.resolved(x); }
+  [[nodiscard]] typename Gathered::Kind kind(bool curved) const noexcept {
+    return {.law = law_, .quadratic = curved, .excess = literal_.clipped_velocities ? 0.0 : 1.0};
+  }
+  [[nodiscard]] Fields at(Vec3 const& x, From from, Fields const& otherwise, bool curved) const;
   /// The cloud's points in the cells (i0..i1, j, k): from the first to before the second.
   [[nodiscard]] std::array<std::size_t, 2> in_row(int i0, int i1, int j, int k) const noexcept {
     CellBlock const& b = block_;

@@ -34,7 +34,8 @@ bool tie_thin_rims(Body& body, double dt) {
     for (std::size_t k = 0; k < core_layers; ++k) {
       Vec3 const x = core_centre(t, k, -h), own = velocity_of(t.solid[k]);
       u[k] =
-          own + part * (velocity_of(body.solid.donors.at(x, Donors<SolidFields>::From::own_update, t.solid[k])) - own);
+          own +
+          part * (velocity_of(body.solid.donors.linear_at(x, Donors<SolidFields>::From::own_update, t.solid[k])) - own);
     }
     tied.push_back({n, u});
   }

@@ -17,6 +17,9 @@ namespace {
 /// less than .02 %; in gas the wider gap between cells and cores would smear a shock that stands in it.
 constexpr double reach_of_cores_in_gas = 1.6, reach_of_cores_in_solids = 2;
 constexpr int beside = 2;  ///< cells beyond the surfaces' box that cores reach
+/// Cells along each axis from one that the scheme updates that count as resolved. With 1 a yielding cube of 8 cells in
+/// a blast lacks 12 % of its momentum instead of 6 %, and a tetrahedron gains 1.4 % of spin in a quarter turn.
+constexpr int around_deep = 2;
 
 }  // namespace
 
@@ -117,6 +120,7 @@ void CellKinds::classify(std::span<TriangleSurface const* const> surfaces) {
   reflect_kinds();
   mark_depth(), leave_to_cores();
   reflect_kinds();
+  if (inside_) mark_resolved();
 }
 
 CellBlock CellKinds::near(int more) const noexcept {
@@ -263,6 +267,21 @@ void CellKinds::leave_to_cores() {
       }
     }
   }
+}
+
+void CellKinds::mark_resolved() {
+  resolved_.assign(count(), 0);
+  for_each_near(cells_around, [&](std::size_t i) {
+    if (kinds_[i] != CellKind::deep) return;
+    Int3 const c = cell(i);
+    Int3 first{}, last{};
+    for (std::size_t a = 0; a < 3; ++a)
+      first[a] = std::max(0, c[a] - around_deep), last[a] = std::min(box_.size[a] - 1, c[a] + around_deep);
+    for (int k = first[2]; k <= last[2]; ++k) {
+      for (int j = first[1]; j <= last[1]; ++j)
+        std::fill_n(resolved_.begin() + index({first[0], j, k}), last[0] - first[0] + 1, 1);
+    }
+  });
 }
 
 bool CellKinds::in_medium(Vec3 const& point) const noexcept {

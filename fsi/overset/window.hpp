@@ -115,6 +115,11 @@ class CellKinds {
       }
     }
   }
+  /// Of what lies within surfaces: whether the grid's scheme updates a cell up to two away from that of x. Elsewhere,
+  /// at tips and in rims, nothing but the cores of the triangles has the medium.
+  [[nodiscard]] bool resolved(Vec3 const& x) const noexcept {
+    return resolved_[static_cast<std::size_t>(index(cell_of(x)))] != 0;
+  }
   /// A foreign or cut cell with a valid one around it.
   [[nodiscard]] bool fringe(std::size_t i) const noexcept { return fringe_[i] != 0; }
 
@@ -158,12 +163,13 @@ class CellKinds {
   void mark_depth();
   void leave_to_cores();
   void reflect_kinds();
+  void mark_resolved();
 
   Int3 near_first_{0, 0, 0}, near_last_{-1, -1, -1};  ///< cells of the box around the surfaces and those beside it
   WindowBox box_;
   bool inside_;
   std::vector<CellKind> kinds_, before_;
-  std::vector<unsigned char> fringe_, is_image_;
+  std::vector<unsigned char> fringe_, is_image_, resolved_;
   std::vector<ImageCell> images_;
   std::vector<TriangleSurface const*> surfaces_;
   std::vector<double> lids_;               ///< [surface]: the mirror across x that closes it, where one does

@@ -103,42 +103,45 @@ TEST_CASE("donors give linear fields exactly, and constant ones bit by bit") {
   }
 }
 
-TEST_CASE("donors of elastic solids follow quadratic fields, donors of those that yield linear ones") {
-  TriangleSurface const s = make_sphere(1, 0.2);
-  TriangleSurface const* const one = &s;
-  CellKinds in(box_of(18, 0.15), true);
-  in.classify(std::span(&one, 1)), in.classify(std::span(&one, 1));
-  // the velocities: what is within the donors' range is not for the fit to choose
+TEST_CASE("donors of solids follow quadratic fields, those of bodies without cells of their own linear ones") {
   auto const field = [](Vec3 const& x) {
-    return SolidFields{1, x[0] * x[0] - x[1] * x[2], x[0] * x[1] + 2 * x[2] * x[2], x[1] * x[1] - x[0] * x[2]};
+    SolidFields q{1, x[0] * x[0] - x[1] * x[2], x[0] * x[1] + 2 * x[2] * x[2], x[1] * x[1] - x[0] * x[2]};
+    q[solid_field_of::ep] = std::pow(std::max(0.0, x[0]), 2);
+    return q;
   };
-  std::vector<SolidFields> states(in.count());
-  for (std::size_t i = 0; i < in.count(); ++i) states[i] = field(in.centre(in.cell(i)));
-  std::vector<CloudPoint<SolidFields>> cloud;
-  for (std::size_t t = 0; t < s.size(); ++t) {
-    for (double depth : {0.075, 0.225}) {
-      Vec3 const x = s.centre(t) - depth * s.normal(t);
-      cloud.push_back({x, field(x), 0});
+  for (double radius : {1.0, 0.3}) {
+    TriangleSurface const s = make_sphere(radius, 0.2 * radius);
+    TriangleSurface const* const one = &s;
+    CellKinds in(box_of(18, 0.15), true);
+    in.classify(std::span(&one, 1)), in.classify(std::span(&one, 1));
+    std::vector<SolidFields> states(in.count());
+    for (std::size_t i = 0; i < in.count(); ++i) states[i] = field(in.centre(in.cell(i)));
+    std::vector<CloudPoint<SolidFields>> cloud;
+    for (std::size_t t = 0; t < s.size(); ++t) {
+      for (double depth : {0.075, 0.225}) {
+        Vec3 const x = s.centre(t) - depth * s.normal(t);
+        cloud.push_back({x, field(x), 0});
+      }
     }
+    Donors<SolidFields> donors(in, states, AnySolid{});
+    donors.set_cloud(cloud, false);
+    std::mt19937 random(8);
+    std::uniform_real_distribution<double> place(-0.95 * radius, 0.95 * radius);
+    double of_quadratic = 0, of_linear = 0;
+    for (int n = 0; n < 4000; ++n) {
+      Vec3 const x{place(random), place(random), place(random)};
+      if (length(x) > 0.95 * radius) continue;
+      constexpr auto valid = Donors<SolidFields>::From::valid;
+      SolidFields const got = donors.at(x, valid, {}), linear = donors.linear_at(x, valid, {});
+      auto const error = [&](SolidFields const& q) { return length(velocity_of(q) - velocity_of(field(x))); };
+      of_quadratic += error(got), of_linear += error(linear);
+      CHECK(got[solid_field_of::ep] >= 0);  // no fit makes strain less than none
+      if (radius < 1) CHECK(got == linear);
+    }
+    // .12 is left, by what stiffens the fit
+    if (radius == 1) CHECK(of_quadratic < 0.2 * of_linear);
+    CHECK(of_linear > 1);
   }
-  AnySolid yielding;
-  yielding.Y0 = 1e9;
-  Donors<SolidFields> quadratic(in, states, AnySolid{}), linear(in, states, yielding);
-  quadratic.set_cloud(cloud, false), linear.set_cloud(cloud, false);
-  std::mt19937 random(8);
-  std::uniform_real_distribution<double> place(-0.95, 0.95);
-  double of_quadratic = 0, of_linear = 0;
-  for (int n = 0; n < 4000; ++n) {
-    Vec3 const x{place(random), place(random), place(random)};
-    if (length(x) > 0.95) continue;
-    auto const error = [&](Donors<SolidFields> const& donors) {
-      return length(velocity_of(donors.at(x, Donors<SolidFields>::From::valid, {})) - velocity_of(field(x)));
-    };
-    of_quadratic += error(quadratic), of_linear += error(linear);
-  }
-  // .12 is left, by what stiffens the fit
-  CHECK(of_quadratic < 0.2 * of_linear);
-  CHECK(of_linear > 1);
 }
 
 TEST_CASE("donors of gas keep mass, momentum and energy") {
@@ -476,9 +479,10 @@ TEST_CASE("a cube that spins keeps its angular momentum") {
 }
 
 TEST_CASE("a yielding cube in a blast has the momentum of its impulse") {
-  // Within 4 %, with 11 cells an edge; with the grids' switch in the cores it gains 12 %.
+  // Within 4 %, with 11 cells an edge, from 7 us on, when the waves have crossed it five times: 3.1 %. Without a switch
+  // in the cores, or with that of the grids, it gains more than a tenth.
   CaseOptions o;
-  o.threads = 2, o.cells = 33;
+  o.threads = 2, o.cells = 33, o.values = {{"end", 8e-6}};
   CaseResult const r = find_by_name(all_cases(), "cube-blast", "test").run(o);
   CAPTURE(r.facts.at("momentum_less_impulse"), r.facts.at("velocity"));
   CHECK(r.facts.at("velocity") > 50);
