@@ -122,14 +122,14 @@ ModelStencil Body::stencil(std::size_t triangle, Nearby& nearby) const {
     } else if (unread && whole) {
       s.solid[k][a][b] = s.solid[1][1][1];
     } else if (there[k][a][b]) {
-      s.solid[k][a][b] = into_frame(f, nearby.solid.at(in_layer(k, -h, a, b), t.solid[0]));
+      s.solid[k][a][b] = into_frame(f, nearby.solid.at(in_layer(k, -h, a, b), t.solid[0], whole));
     }
   });
   Vec3 const fourth = in_layer(3, h_gas, 1, 1);
   if (gas.kinds.in_medium(fourth)) {
     s.gas_fourth = into_frame(f, gas.donors.at(fourth, Donors<GasFields>::From::valid, t.gas[1]));
   }
-  s.inner = whole && !rigid && solid.kinds.resolved(core_centre(t, 0, -h));
+  s.inner = whole;
   if (whole || rigid) {
     s.solid_smooth = s.solid;
     return s;
