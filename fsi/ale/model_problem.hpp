@@ -25,7 +25,7 @@ struct ModelStencil {
   Cells<SolidFields> solid;               ///< lateral cells outside of the body carry its traction condition
   Cells<SolidFields> solid_smooth;        ///< the same with those cells continued smoothly, for derivatives
   Cells<bool> solid_ghost;                ///< which those are
-  bool inner = true;                      ///< there are none: but for the contact, no side of the body lies within
+  bool inner = true;                      ///< no side of the body is near but the contact
   Vec3 velocity{0, 0, 0};                 ///< of the contact in the last step, along the frame's axes [m/s]
 };
 

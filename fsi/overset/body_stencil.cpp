@@ -101,6 +101,8 @@ ModelStencil Body::stencil(std::size_t triangle, Nearby& nearby) const {
     there[k][a][b] = (is_core(k, a, b) && k == 0) || solid.kinds.in_medium(in_layer(k, -h, a, b));
     whole = whole && there[k][a][b];
   });
+  // a rim that yields and is drawn out is thin as a plate is, but flaps
+  bool const inner = whole && (!setup.material.plastic() || solid.kinds.resolved(core_centre(t, 0, -h)));
   for_each_cell([&](std::size_t k, std::size_t a, std::size_t b) {
     bool const core = is_core(k, a, b), unread = k == 2 && a != 1 && b != 1;
     Vec3 const x = in_layer(k, h_gas, a, b);
@@ -122,14 +124,14 @@ ModelStencil Body::stencil(std::size_t triangle, Nearby& nearby) const {
     } else if (unread && whole) {
       s.solid[k][a][b] = s.solid[1][1][1];
     } else if (there[k][a][b]) {
-      s.solid[k][a][b] = into_frame(f, nearby.solid.at(in_layer(k, -h, a, b), t.solid[0], whole));
+      s.solid[k][a][b] = into_frame(f, nearby.solid.at(in_layer(k, -h, a, b), t.solid[0], inner));
     }
   });
   Vec3 const fourth = in_layer(3, h_gas, 1, 1);
   if (gas.kinds.in_medium(fourth)) {
     s.gas_fourth = into_frame(f, gas.donors.at(fourth, Donors<GasFields>::From::valid, t.gas[1]));
   }
-  s.inner = whole;
+  s.inner = inner;
   if (whole || rigid) {
     s.solid_smooth = s.solid;
     return s;

@@ -410,9 +410,9 @@ void Donors<Fields>::Around::reset(Vec3 const& centre, Frame const& frame) {
 }
 
 template <class Fields>
-Fields Donors<Fields>::Around::at(Vec3 const& x, Fields const& otherwise, bool within) {
+Fields Donors<Fields>::Around::at(Vec3 const& x, Fields const& otherwise, bool inner) {
   Fields out{};
-  bool const curved = !of_gas && (within || donors_.curved(x));
+  bool const curved = !of_gas && (inner || donors_.curved(x));
   if (!curved && donors_.multilinear(x, From::valid, out)) return out;
   bool const enough = near_.fit(donors_.in_cells(x), reach, fewest, donors_.kind(curved), out);
   return enough ? out : donors_.at(x, From::valid, otherwise);

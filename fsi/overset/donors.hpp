@@ -6,7 +6,7 @@
 /// pressure and stress stay within the donors' range, velocities may leave it by one range: bounds that a rotation
 /// meets would take its angular momentum.
 ///
-/// Of solids elsewhere, and for local grids that lie within the body: a quadratic fit to them, and all but the plastic
+/// Of solids elsewhere, and for local grids within an elastic body: a quadratic fit to them, and all but the plastic
 /// strain may leave the donors' range by one range.
 ///
 /// Of gas the densities of mass, momentum and energy are interpolated, which is what cells and cores hold: halfway
@@ -84,8 +84,8 @@ class Donors {
     explicit Around(Donors const& donors) : donors_(donors) {}
     /// For points up to a cell from `centre` along each of the frame's axes.
     void reset(Vec3 const& centre, Frame const& frame);
-    /// `within`: the whole local grid lies within the medium, so that the fit is quadratic wherever it is.
-    [[nodiscard]] Fields at(Vec3 const& x, Fields const& otherwise, bool within = false);
+    /// `inner`: no side of the medium but the contact is near, and the fit is quadratic.
+    [[nodiscard]] Fields at(Vec3 const& x, Fields const& otherwise, bool inner = false);
 
    private:
     Donors const& donors_;
