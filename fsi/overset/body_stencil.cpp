@@ -102,7 +102,8 @@ ModelStencil Body::stencil(std::size_t triangle, Nearby& nearby) const {
     whole = whole && there[k][a][b];
   });
   // a rim that yields and is drawn out is thin as a plate is, but flaps
-  bool const inner = whole && (!setup.material.plastic() || solid.kinds.resolved(core_centre(t, 0, -h)));
+  bool const inner = whole && (!setup.material.plastic() ||
+                               (t.solid[0][field::ep] <= crushed && solid.kinds.resolved(core_centre(t, 0, -h))));
   for_each_cell([&](std::size_t k, std::size_t a, std::size_t b) {
     bool const core = is_core(k, a, b), unread = k == 2 && a != 1 && b != 1;
     Vec3 const x = in_layer(k, h_gas, a, b);

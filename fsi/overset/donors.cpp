@@ -98,6 +98,10 @@ bool is_free(std::size_t f, bool quadratic) noexcept {
   return (f >= 1 && f <= 3) || (quadratic && f != solid_field_of::ep);
 }
 
+bool any_crushed(FitArguments const& g) noexcept {
+  return std::any_of(g.near, g.near + g.count, [&](int i) { return g.q[i][solid_field_of::ep] > crushed; });
+}
+
 }  // namespace
 
 template <class Fields>
@@ -364,7 +368,8 @@ bool Donors<Fields>::Gathered::fit(std::span<DonorRange const> ranges, Vec3 cons
   Inverse const inverse(c, least_moment * g.sum);
   g.slope = -1.0 * inverse.times(m);
   g.level = 1 / g.sum - dot(g.slope, m);
-  if (kind.quadratic) {
+  bool const quadratic = kind.quadratic && !any_crushed(g);
+  if (quadratic) {
     for (std::size_t i = 0; i < g.bend.size(); ++i) g.bend[i] = bend_.data() + i * weight_.size();
     find_curvature(g, m, inverse);
     kernels.combine_quadratic(g);
@@ -378,7 +383,7 @@ bool Donors<Fields>::Gathered::fit(std::span<DonorRange const> ranges, Vec3 cons
     value[gas_field::rho] = rho, energy = g.mean_energy / rho;
   }
   for (std::size_t f = 0; f < out.size(); ++f) {
-    double const beyond = is_free(f, kind.quadratic) ? kind.excess * (high[f] - low[f]) : 0.0;
+    double const beyond = is_free(f, quadratic) ? kind.excess * (high[f] - low[f]) : 0.0;
     out[f] = std::clamp(value[f], low[f] - beyond, high[f] + beyond);
   }
   if constexpr (of_gas) {

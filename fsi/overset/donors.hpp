@@ -7,7 +7,7 @@
 /// meets would take its angular momentum.
 ///
 /// Of solids elsewhere, and for local grids within an elastic body: a quadratic fit to them, and all but the plastic
-/// strain may leave the donors' range by one range.
+/// strain may leave the donors' range by one range; beside what is crushed a linear one.
 ///
 /// Of gas the densities of mass, momentum and energy are interpolated, which is what cells and cores hold: halfway
 /// across a shock the momentum of the mean density and the mean velocity is not the mean momentum.
@@ -16,6 +16,10 @@
 #include "fsi/overset/window.hpp"
 
 namespace g27 {
+
+/// Plastic strain from which on a solid's fields are taken to change from cell to cell, as where a charge crushes a
+/// cube: such donors are fitted linearly, and the switch of the model problems acts on small bends. See fsi/README.md.
+inline constexpr double crushed = 0.3;
 
 template <class Fields>
 class Donors {
