@@ -25,8 +25,8 @@ struct ModelStencil {
   Cells<SolidFields> solid;               ///< lateral cells outside of the body carry its traction condition
   Cells<SolidFields> solid_smooth;        ///< the same with those cells continued smoothly, for derivatives
   Cells<bool> solid_ghost;                ///< which those are
-  bool inner = true;                      ///< no side of the body is near but the contact
-  Vec3 velocity{0, 0, 0};                 ///< of the contact in the last step, along the frame's axes [m/s]
+  bool inner = true;       ///< no side of the body but the contact near, nor crushed: the switch sees loud bends alone
+  Vec3 velocity{0, 0, 0};  ///< of the contact in the last step, along the frame's axes [m/s]
 };
 
 struct ModelResult {

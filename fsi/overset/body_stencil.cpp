@@ -101,7 +101,7 @@ ModelStencil Body::stencil(std::size_t triangle, Nearby& nearby) const {
     there[k][a][b] = (is_core(k, a, b) && k == 0) || solid.kinds.in_medium(in_layer(k, -h, a, b));
     whole = whole && there[k][a][b];
   });
-  // a rim that yields and is drawn out is thin as a plate is, but flaps
+  // a rim that yields and is drawn out is thin as a plate is, but flaps; what is crushed changes from cell to cell
   bool const inner = whole && (!setup.material.plastic() ||
                                (t.solid[0][field::ep] <= crushed && solid.kinds.resolved(core_centre(t, 0, -h))));
   for_each_cell([&](std::size_t k, std::size_t a, std::size_t b) {

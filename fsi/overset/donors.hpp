@@ -88,7 +88,7 @@ class Donors {
     explicit Around(Donors const& donors) : donors_(donors) {}
     /// For points up to a cell from `centre` along each of the frame's axes.
     void reset(Vec3 const& centre, Frame const& frame);
-    /// `inner`: no side of the medium but the contact is near, and the fit is quadratic.
+    /// `inner`: no side of the medium but the contact is near; fitted as where the medium is resolved.
     [[nodiscard]] Fields at(Vec3 const& x, Fields const& otherwise, bool inner = false);
 
    private:
